@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# The whole of the handling. Every target makes what it needs first, from the Debian packages on.
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+.NOTPARALLEL:
+MAKEFLAGS += --no-print-directory
+
+# FreeCAD's Python is the system's; another python3 may come first on the PATH.
+PYTHON := /usr/bin/python3
+export PYTHONDONTWRITEBYTECODE := 1
+
+FREECAD := $(PYTHON) tools/freecad_run.py
+# `make gui` has settings of its own: the user's stay as they are.
+GUI_HOME := $(CURDIR)/build/freecad-home
+PYTEST := $(PYTHON) -m pytest
+# No GPU, no sound, no sandbox for FreeCAD's start page: what a bare machine or a container has.
+DISPLAY_RUN := QTWEBENGINE_DISABLE_SANDBOX=1 xvfb-run --auto-servernum --server-args="-screen 0 1600x1000x24"
+
+##@ What to run
+help: ## this list
+	@awk 'BEGIN { FS = ":.*## " } /^##@/ { printf "\n%s\n", substr($$0, 5) } \
+	    /^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+demo: build ## headless FreeCAD on the shipped examples; files and pictures in build/demo/
+	$(FREECAD) examples/run_demo.py
+
+gui: build ## FreeCAD with the workbench loaded from this checkout
+	@mkdir -p $(GUI_HOME)
+	@FREECAD_USER_HOME=$(GUI_HOME) $(FREECAD) tools/install.py --link
+	FREECAD_USER_HOME=$(GUI_HOME) freecad
+
+install: build ## copy the workbench into FreeCAD's Mod folder of this user
+	$(FREECAD) tools/install.py
+
+##@ What to run while working on it
+setup: ## install the Debian packages of tools/packages.txt that are missing (root or sudo)
+	@tools/setup.sh
+
+configure: setup
+	@cmake --preset release --log-level=WARNING
+
+build: configure ## compile the core into src/freecad_wb/funicular/
+	@cmake --build build/release
+
+lint: configure ## clang-format, clang-tidy, black, flake8: changes nothing
+	@tools/lint.sh
+
+format: setup ## let clang-format and black rewrite the sources
+	@tools/format.sh
+
+##@ Tests
+test: lint build test-core test-sanitize test-house test-python test-freecad test-gui ## all of it: lint, build and every test below
+	@echo "make test: all passed"
+
+test-core: build ## the C++ core
+	ctest --test-dir build/release --output-on-failure --no-tests=error
+
+test-sanitize: setup ## the C++ core under AddressSanitizer and UndefinedBehaviorSanitizer
+	@cmake --preset sanitize --log-level=WARNING
+	@cmake --build build/sanitize
+	ctest --test-dir build/sanitize --output-on-failure --no-tests=error
+
+test-house: setup ## who may know whom, licences, the addon's description
+	$(PYTEST) tests/house
+
+test-python: build ## the numeric package, without FreeCAD
+	$(PYTEST) tests/python
+
+test-freecad: build ## the document objects, in headless FreeCAD
+	$(PYTEST) tests/freecad
+
+test-gui: build ## the workbench's windows, on a virtual display
+	$(DISPLAY_RUN) $(PYTEST) tests/gui
+
+clean: ## remove build/ and the compiled module
+	rm -rf build src/freecad_wb/funicular/_core*.so
+
+.PHONY: help demo gui install setup configure build lint format test test-core test-sanitize test-house \
+	test-python test-freecad test-gui clean
