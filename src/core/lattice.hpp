@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "net.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace funicular {
+
+/// How members and panels are laid on a (u, v) lattice (paper section 5.1 and figure 2).
+enum class Pattern { quad };
+
+/// \throws InvalidInput that lists the patterns there are.
+[[nodiscard]] Pattern pattern_from_name(const std::string &name);
+[[nodiscard]] std::string pattern_name(Pattern pattern);
+
+/// A side of the unit (u, v) square.
+enum class Side { u_min, u_max, v_min, v_max };
+[[nodiscard]] Side side_from_name(const std::string &name);
+[[nodiscard]] std::string side_name(Side side);
+
+inline constexpr Index max_lattice_cells = 20000;
+
+/// What a lattice is made from.
+struct LatticeRecipe {
+    Pattern pattern = Pattern::quad;
+    Index cells_u = 1;
+    Index cells_v = 1;
+    /// The last cell joins the first: u = 1 is u = 0.
+    bool closed_u = false;
+    bool closed_v = false;
+    /// Sides that are a single point of the surface (the apex of a dome).
+    std::vector<Side> poles;
+};
+
+/// Connectivity on the unit (u, v) square, without positions in space.
+class Lattice {
+  public:
+    /// \throws InvalidInput unless there is at least one cell each way (three where closed, two between two poles), and
+    ///         poles lie on open sides of one direction only.
+    explicit Lattice(LatticeRecipe recipe);
+
+    [[nodiscard]] const LatticeRecipe &recipe() const { return recipe_; }
+    /// (u, v) of each node, in [0, 1]; closed directions never reach 1.
+    [[nodiscard]] const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> &uv() const { return uv_; }
+    [[nodiscard]] const std::vector<Member> &members() const { return members_; }
+    [[nodiscard]] const Panels &panels() const { return panels_; }
+    /// The nodes at the corners of the (u, v) square; none where a direction is closed.
+    [[nodiscard]] const std::vector<Index> &corners() const { return corners_; }
+    /// Nodes along each side that is neither closed nor a pole, in order of the other coordinate.
+    [[nodiscard]] const std::map<Side, std::vector<Index>> &sides() const { return sides_; }
+
+  private:
+    LatticeRecipe recipe_;
+    Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> uv_;
+    std::vector<Member> members_;
+    Panels panels_;
+    std::vector<Index> corners_;
+    std::map<Side, std::vector<Index>> sides_;
+};
+
+/// A net on a lattice, which it remembers.
+/// \throws InvalidInput unless there is one position for each lattice node.
+[[nodiscard]] std::shared_ptr<const Net> make_net(std::shared_ptr<const Lattice> lattice, Points nodes);
+
+} // namespace funicular

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Form finding of compression-only gridshells: the numeric API. Needs numpy only; knows nothing of FreeCAD.
+
+SI units (m, kg, N); up is +z; member forces are those of the built structure, compression negative.
+
+The native module is loaded at the first use of a name, not at import: FreeCAD restores a document's objects by importing
+this package, and must be able to do so, and keep their geometry, where the native module is missing.
+"""
+
+_NUMERIC_API = (
+    "InvalidInput",
+    "Lattice",
+    "Net",
+    "lattice",
+)
+
+__all__ = list(_NUMERIC_API)
+
+
+def __getattr__(name):
+    if name not in _NUMERIC_API:
+        raise AttributeError(f"module 'funicular' has no attribute {name!r}")
+    from . import _native
+
+    core = _native.load()
+    for public in _NUMERIC_API:
+        globals()[public] = getattr(core, public)
+    return globals()[name]
+
+
+def __dir__():
+    return sorted(set(globals()) | set(_NUMERIC_API))
