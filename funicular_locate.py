@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where this addon lies: the one module that Init.py and InitGui.py find by name, because `__file__` is undefined in both."""
+
+import os
+import sys
+
+# Not resolved: FreeCAD restores proxies only from modules under a Mod folder as it sees it, so a symlinked addon
+# must keep the path of the link.
+ROOT = os.path.dirname(os.path.abspath(__file__))
+PACKAGE_FOLDER = os.path.join(ROOT, "src", "freecad_wb")
+ICON_FOLDER = os.path.join(ROOT, "Resources", "icons")
+
+
+def add_package_to_path():
+    """Make `import funicular` work; calling it again changes nothing."""
+    if PACKAGE_FOLDER not in sys.path:
+        sys.path.append(PACKAGE_FOLDER)
