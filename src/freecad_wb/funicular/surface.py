@@ -25,8 +25,8 @@ SIDES = ("u_min", "u_max", "v_min", "v_max")
 
 TRIMMED = (
     "is trimmed (its outline is not the full rectangle of the surface's parameters, or it has a hole), "
-    "and trimmed faces are not supported yet: pick an untrimmed face, or rebuild this one as a surface of its "
-    "own between its edges, for instance a ruled, lofted, swept or B-spline surface"
+    "and trimmed faces are not supported yet: pick an untrimmed face, or rebuild this one as a surface "
+    "of its own between its edges, for instance a ruled, lofted, swept or B-spline surface"
 )
 
 
@@ -38,7 +38,7 @@ class Chart:
     closed_u, closed_v: the side u = 1 (v = 1) coincides with u = 0 (v = 0).
     poles: the sides that are one single point, a subset of SIDES.
     lengths_u, lengths_v: (TABLE_INTERVALS + 1,) lengths of the isolines that run along u (along v) [mm].
-    along_u, along_v: square tables, indexed [a, b], of the share of an isoline's length passed at (a, b).
+    along_u, along_v: square tables, indexed [a, b]: the part of the isoline's length before (a, b).
     """
 
     point: object
@@ -104,12 +104,12 @@ def read_face(face, name="the face"):
 def count_cells(chart, step_u, step_v):
     """Cells along u and along v: the mean length of the isolines over the step [mm], rounded.
 
-    At least 1, and 3 around a closed direction. Raises InvalidInput naming StepU or StepV.
+    At least 1, 2 between two poles and 3 around a closed direction. Raises InvalidInput naming the step.
     """
     cells = []
-    for name, step, lengths, closed in (
-        ("StepU", step_u, chart.lengths_u, chart.closed_u),
-        ("StepV", step_v, chart.lengths_v, chart.closed_v),
+    for name, step, lengths, closed, ends in (
+        ("StepU", step_u, chart.lengths_u, chart.closed_u, {"u_min", "u_max"}),
+        ("StepV", step_v, chart.lengths_v, chart.closed_v, {"v_min", "v_max"}),
     ):
         if not step > 0.0:
             raise fn.InvalidInput(f"{name} is {step:g} mm: give a length greater than zero")
@@ -119,7 +119,8 @@ def count_cells(chart, step_u, step_v):
                 f"{name} is {step:g} mm, larger than the face, whose longest isoline in that direction "
                 f"measures {longest:.6g} mm: give a smaller step"
             )
-        cells.append(max(3 if closed else 1, round(float(lengths.mean()) / step)))
+        fewest = 3 if closed else 2 if ends <= chart.poles else 1
+        cells.append(max(fewest, round(float(lengths.mean()) / step)))
     if (cells[0] + 1) * (cells[1] + 1) > MOST_NODES:
         raise fn.InvalidInput(
             f"StepU = {step_u:g} mm and StepV = {step_v:g} mm would make {cells[0]} × {cells[1]} cells, "
@@ -300,7 +301,7 @@ def _bilinear(table, a, b):
 
 
 def _interpolate(table, a, b):
-    """Bicubic (Lagrange, four points a side) value and derivatives to a and b of a table on the unit square."""
+    """Bicubic (Lagrange, four points a side) value and derivatives to a and b, table on the unit square."""
     i, x = _cell(a, 1, 3)
     j, y = _cell(b, 1, 3)
     offsets = np.arange(4)
