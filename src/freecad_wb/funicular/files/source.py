@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all readers share: collecting vertices, faces and lines, and saying where something is wrong."""
+
+import numpy as np
+
+from .connectivity import members_of
+
+
+class Source:
+    """What was read so far, and where in the file: so that every complaint can name its place."""
+
+    def __init__(self, path):
+        self.path = path
+        self.place = None
+        self.nodes = []
+        self.node_places = []
+        self.lines = []
+        self.faces = []
+
+    def error(self, message, place=None):
+        place = self.place if place is None else place
+        if isinstance(place, int):
+            return ValueError(f"{self.path}:{place}: {message}")
+        return ValueError(f"{self.path}: {f'{place}: ' if place else ''}{message}")
+
+    def text_lines(self, content):
+        """The words of each line that has any, comments (#) taken away; `place` follows.
+
+        A backslash at a line's end continues it; the line's number is then that of its last part.
+        """
+        begun = ""
+        for number, line in enumerate([*content.decode("utf-8-sig", "replace").split("\n"), ""], 1):
+            line = begun + line.split("#", 1)[0].rstrip()
+            begun = line[:-1] + " " if line.endswith("\\") else ""
+            words = line.split()
+            if words and not begun:
+                self.place = number
+                yield words
+
+    def next_row(self, rows, what):
+        """The words of the next line; an error if the file ends before it."""
+        words = next(rows, None)
+        if words is None:
+            raise self.error(f"the file ends before {what}")
+        return words
+
+    def whole(self, word, what):
+        try:
+            return int(word)
+        except ValueError:
+            raise self.error(f"{what} should be a whole number, not '{word}'") from None
+
+    def real(self, word):
+        try:
+            return float(word)
+        except ValueError:
+            raise self.error(f"a coordinate should be a number, not '{word}'") from None
+
+    def add_node(self, words):
+        if len(words) < 3:
+            raise self.error(f"vertex {len(self.nodes)} has {len(words)} coordinates instead of 3")
+        self.nodes.append([self.real(word) for word in words[:3]])
+        self.node_places.append(self.place)
+
+    def add_line(self, indices):
+        self.lines.extend((self.place, pair) for pair in zip(indices, indices[1:]))
+
+    def add_face(self, indices):
+        if len(indices) < 3:
+            raise self.error(f"face {len(self.faces)} has {len(indices)} corners: at least 3 are needed")
+        self.faces.append((self.place, tuple(indices)))
+
+    def net(self):
+        """Check everything that was read and make the net of it."""
+        self.place = None
+        if not len(self.nodes):
+            raise self.error("there are no vertices in the file")
+        if not self.faces and not self.lines:
+            raise self.error("there are neither faces nor lines in the file")
+        nodes = self.finite_nodes()
+        for kind, entries in (("face", self.faces), ("line", self.lines)):
+            for number, (place, indices) in enumerate(entries):
+                self.check_indices(f"{kind} {number}", place, indices)
+        panels = [face for _, face in self.faces]
+        members = members_of([line for _, line in self.lines], panels)
+        return nodes, np.array(members, dtype=np.int64).reshape(-1, 2), panels
+
+    def finite_nodes(self):
+        nodes = np.array(self.nodes, dtype=np.float64).reshape(-1, 3)
+        bad = np.flatnonzero(~np.isfinite(nodes).all(axis=1))
+        if bad.size:
+            raise self.error(
+                f"vertex {bad[0]} has a coordinate that is not finite: {nodes[bad[0]]}",
+                self.node_places[bad[0]],
+            )
+        return nodes
+
+    def check_indices(self, what, place, indices):
+        for index in indices:
+            if not 0 <= index < len(self.nodes):
+                raise self.error(
+                    f"{what} names vertex {index} (counted from 0), but the file has {len(self.nodes)}", place
+                )
+        if len(set(indices)) < len(indices):
+            twice = next(index for index in indices if indices.count(index) > 1)
+            raise self.error(f"{what} names vertex {twice} (counted from 0) twice", place)
