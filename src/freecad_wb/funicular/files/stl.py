@@ -72,14 +72,14 @@ def _kept_near(point, cell, kept, kept_in_cell, tolerance):
 
 def write(path, nodes, members, panels):
     check_members_on_panels(path, members, panels)
+    triangles = [(panel[0], b, c) for panel in panels for b, c in zip(panel[1:], panel[2:])]
+    corners = nodes[np.array(triangles, dtype=np.int64).reshape(-1, 3)]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
     rows = ["solid net"]
-    for panel in panels:
-        for b, c in zip(panel[1:], panel[2:]):
-            corners = nodes[[panel[0], b, c]]
-            normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-            normal = normal / (np.linalg.norm(normal) or 1.0)
-            rows.append("facet normal {!r} {!r} {!r}".format(*normal.tolist()))
-            rows.append("outer loop")
-            rows += ["vertex {!r} {!r} {!r}".format(*corner) for corner in corners.tolist()]
-            rows += ["endloop", "endfacet"]
+    for (x, y, z), triangle in zip(normals.tolist(), corners.tolist()):
+        rows += [f"facet normal {x!r} {y!r} {z!r}", "outer loop"]
+        rows += [f"vertex {x!r} {y!r} {z!r}" for x, y, z in triangle]
+        rows += ["endloop", "endfacet"]
     return "\n".join([*rows, "endsolid net", ""]).encode("ascii")
