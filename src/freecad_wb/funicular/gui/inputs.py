@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One input widget per property: it shows the property, and hands on what a user enters as a value for it.
+
+Labels are written here; tooltips are the properties' own documentation.
+"""
+
+import FreeCAD
+import FreeCADGui
+
+from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
+
+# (heading, ((owner, property, label), …)), in the order of the panel and of the Tab key.
+SECTIONS = (
+    (
+        QT_TRANSLATE_NOOP("Funicular", "Net"),
+        (
+            ("Net", "Pattern", QT_TRANSLATE_NOOP("Funicular", "Pattern")),
+            ("Net", "StepU", QT_TRANSLATE_NOOP("Funicular", "Step along u")),
+            ("Net", "StepV", QT_TRANSLATE_NOOP("Funicular", "Step along v")),
+        ),
+    ),
+    (
+        QT_TRANSLATE_NOOP("Funicular", "Weights"),
+        (
+            ("Gridshell", "MemberWeight", QT_TRANSLATE_NOOP("Funicular", "Members")),
+            ("Gridshell", "CoveringWeight", QT_TRANSLATE_NOOP("Funicular", "Covering")),
+            ("Gridshell", "CoveringShare", QT_TRANSLATE_NOOP("Funicular", "Shared by")),
+            ("Gridshell", "Snow", QT_TRANSLATE_NOOP("Funicular", "Snow on plan")),
+        ),
+    ),
+    (
+        QT_TRANSLATE_NOOP("Funicular", "Members and supports"),
+        (
+            ("Gridshell", "AxialStiffness", QT_TRANSLATE_NOOP("Funicular", "Axial stiffness EA")),
+            ("Gridshell", "AllowTension", QT_TRANSLATE_NOOP("Funicular", "Allow tension")),
+            ("Gridshell", "SupportRecipe", QT_TRANSLATE_NOOP("Funicular", "Supports")),
+        ),
+    ),
+    (
+        QT_TRANSLATE_NOOP("Funicular", "Solution"),
+        (
+            ("Gridshell", "Accuracy", QT_TRANSLATE_NOOP("Funicular", "Accuracy")),
+            ("Gridshell", "Method", QT_TRANSLATE_NOOP("Funicular", "Method")),
+            ("Gridshell", "LengthMatching", QT_TRANSLATE_NOOP("Funicular", "Length matching rounds")),
+        ),
+    ),
+)
+
+# FreeCAD's unit schemas know no kg/m and kg/m²: its own box shows 30 kg/m² as "0.00 kg/mm^2" and rounds it to
+# that.
+MASS_UNITS = {"MemberWeight": "kg/m", "CoveringWeight": "kg/m^2"}
+
+
+def make_input(obj, name, on_change, on_error):
+    """The widget for property `name` of `obj`.
+
+    Parameters
+    ----------
+    on_change : callable(value)
+        Called with a value that can be assigned to the property, each time the user changes it.
+    on_error : callable(sentence)
+        Called when what the user wrote cannot be read.
+    """
+    kind = obj.getTypeIdOfProperty(name)
+    if kind == "App::PropertyEnumeration":
+        widget = _choice(obj, name, on_change)
+    elif kind == "App::PropertyBool":
+        widget = _check(obj, name, on_change)
+    elif kind.startswith("App::PropertyInteger"):
+        widget = _count(obj, name, on_change)
+    elif name in MASS_UNITS:
+        widget = MassField(getattr(obj, name), MASS_UNITS[name], on_change, on_error)
+    else:
+        widget = _quantity(obj, name, on_change)
+    widget.setObjectName(name)
+    documentation = translate(obj.getDocumentationOfProperty(name), "App::Property")
+    widget.setToolTip(documentation)
+    widget.setStatusTip(documentation)
+    return widget
+
+
+def _choice(obj, name, on_change):
+    widget = QtWidgets.QComboBox()
+    choices = obj.getEnumerationsOfProperty(name)
+    widget.addItems(choices)
+    widget.setCurrentIndex(choices.index(getattr(obj, name)))
+    widget.currentIndexChanged.connect(lambda index: on_change(choices[index]))
+    return widget
+
+
+def _check(obj, name, on_change):
+    widget = QtWidgets.QCheckBox()
+    widget.setChecked(getattr(obj, name))
+    widget.toggled.connect(on_change)
+    return widget
+
+
+def _count(obj, name, on_change):
+    widget = QtWidgets.QSpinBox()
+    widget.setRange(0, 1000)
+    widget.setValue(getattr(obj, name))
+    widget.setSpecialValueText(translate("off"))
+    widget.valueChanged.connect(on_change)
+    return widget
+
+
+def _quantity(obj, name, on_change):
+    """FreeCAD's own box: any unit, the user's unit schema, and the f(x) button for expressions."""
+    widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+    quantity = getattr(obj, name)
+    widget.setProperty("unit", quantity.getUserPreferred()[2])
+    widget.setProperty("rawValue", quantity.Value)
+    FreeCADGui.ExpressionBinding(widget).bind(obj, name)
+
+    def changed(value):
+        on_change(FreeCAD.Units.Quantity(value, quantity.Unit))
+
+    QtCore.QObject.connect(widget, QtCore.SIGNAL("valueChanged(double)"), changed)
+    return widget
+
+
+class MassField(QtWidgets.QLineEdit):
+    """A mass per length or per area, written in `unit`; other units of the same kind are understood too."""
+
+    def __init__(self, quantity, unit, on_change, on_error):
+        super().__init__()
+        self._unit = unit
+        self._dimension = FreeCAD.Units.Unit(unit)
+        self._on_change, self._on_error = on_change, on_error
+        self.setText(self._written(quantity))
+        self.textEdited.connect(self._read)
+        self.editingFinished.connect(self._complete)
+
+    def _written(self, quantity):
+        return f"{float(quantity.getValueAs(self._unit)):.6g} {self._unit}"
+
+    def _quantity(self):
+        """What is written, or None if it is no quantity of this kind. A bare number is taken in the field's
+        unit."""
+        text = self.text().strip()
+        for candidate in (text, f"({text}) {self._unit}"):
+            try:
+                quantity = FreeCAD.Units.Quantity(candidate)
+            except (ValueError, ArithmeticError, FreeCAD.Base.FreeCADError):
+                continue
+            if text and quantity.Unit == self._dimension:
+                return quantity
+        return None
+
+    def _read(self):
+        quantity = self._quantity()
+        if quantity is None:
+            sentence = translate("“{}” is not a value in {}. Write for example “12 {}”.")
+            self._on_error(sentence.format(self.text(), self._unit, self._unit))
+        else:
+            self._on_change(quantity)
+
+    def _complete(self):
+        quantity = self._quantity()
+        if quantity is not None:
+            self.setText(self._written(quantity))

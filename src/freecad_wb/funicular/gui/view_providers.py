@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a Net and a Gridshell stand in the tree and in the 3D view. Class names are saved in users' files."""
+
+import FreeCAD
+import FreeCADGui
+
+from funicular.gui import legend
+from funicular.gui.colours import ForceScale
+from funicular.gui.icons import icon
+from funicular.gui.qt import QT_TRANSLATE_NOOP, translate
+
+# The results that colours and legend are made of; the shape resets FreeCAD's own line colours.
+COLOURING_RESULTS = ("Shape", "MemberForces", "TensionMembers")
+LINE_WIDTH = 3.0
+
+
+class ViewProvider:
+    """What both have in common: nothing is kept beside the properties, so nothing is saved with the proxy."""
+
+    icon_name = ""
+
+    def __init__(self, vobj):
+        self.add_properties(vobj)
+        vobj.Proxy = self
+
+    def add_properties(self, vobj):
+        """Add the view properties that are not there yet; called again on restored files of an older
+        version."""
+
+    def attach(self, vobj):
+        self.vobj = vobj
+        self.add_properties(vobj)
+
+    def getIcon(self):
+        return icon(self.icon_name)
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    # The names of the same two in FreeCAD 0.20.
+    __getstate__ = dumps
+
+    def __setstate__(self, state):
+        return None
+
+
+class ViewProviderNet(ViewProvider):
+    """A net before relaxation; as FreeCAD's Part features do, it holds its source in the tree."""
+
+    icon_name = "Funicular_Net"
+
+    def claimChildren(self):
+        source = self.vobj.Object.Source
+        return [source[0]] if source else []
+
+    def onDelete(self, vobj, subelements):
+        for child in self.claimChildren():
+            child.Visibility = True
+        return True
+
+
+class ViewProviderGridshell(ViewProvider):
+    """A relaxed gridshell: members coloured by force, with a legend; a double click opens its panel."""
+
+    icon_name = "Funicular_Gridshell"
+
+    def add_properties(self, vobj):
+        group = "Gridshell"
+        for name, documentation in (
+            ("ColourByForce", QT_TRANSLATE_NOOP("App::Property", "Colour each member by its force")),
+            ("ShowLegend", QT_TRANSLATE_NOOP("App::Property", "Show what force each colour stands for")),
+        ):
+            if name not in vobj.PropertiesList:
+                vobj.addProperty("App::PropertyBool", name, group, documentation)
+                setattr(vobj, name, True)
+                vobj.LineWidth = LINE_WIDTH
+
+    def claimChildren(self):
+        net = self.vobj.Object.Net
+        return [net] if net else []
+
+    def updateData(self, obj, prop):
+        if prop in COLOURING_RESULTS or prop == "Label":
+            self.refresh(obj.ViewObject)
+
+    def onChanged(self, vobj, prop):
+        if prop in ("ColourByForce", "ShowLegend", "Visibility"):
+            self.refresh(vobj)
+
+    def refresh(self, vobj):
+        """Bring the members' colours and the legend up to the object's results."""
+        obj = vobj.Object
+        # Properties arrive one at a time while a file is restored.
+        if not all(name in vobj.PropertiesList for name in ("ColourByForce", "ShowLegend")):
+            return
+        if not all(name in obj.PropertiesList for name in COLOURING_RESULTS):
+            return
+        scale = ForceScale(obj.MemberForces, obj.TensionMembers)
+        coloured = vobj.ColourByForce and len(obj.MemberForces) > 0
+        # FreeCAD keeps the old array when the number of members changes, so it is set after each recompute.
+        vobj.LineColorArray = scale.member_colours() if coloured else [tuple(vobj.LineColor[:3])]
+        if coloured and vobj.ShowLegend and vobj.Visibility:
+            legend.show(obj, scale)
+        else:
+            legend.hide(obj)
+
+    def onDelete(self, vobj, subelements):
+        legend.hide(vobj.Object)
+        for child in self.claimChildren():
+            child.Visibility = True
+        return True
+
+    def doubleClicked(self, vobj):
+        document = vobj.Object.Document
+        document.openTransaction(translate("Edit gridshell"))
+        FreeCADGui.getDocument(document.Name).setEdit(vobj.Object.Name)
+        return True
+
+    def setEdit(self, vobj, mode=0):
+        if mode != 0:
+            return None
+        from funicular.gui.task_panel import GridshellPanel
+
+        return GridshellPanel.open(vobj.Object)
+
+    def unsetEdit(self, vobj, mode=0):
+        if mode != 0:
+            return None
+        FreeCADGui.Control.closeDialog()
+        return True
+
+
+VIEW_PROVIDERS = {"Net": ViewProviderNet, "Gridshell": ViewProviderGridshell}
+
+
+def attach_view_provider(obj):
+    """Give `obj` the view provider of its kind if it has none, as after opening a file that was saved without
+    a window.
+
+    obj: a document object whose FunicularType is "Net" or "Gridshell".
+    """
+    vobj = obj.ViewObject
+    kind = VIEW_PROVIDERS[obj.FunicularType]
+    if not isinstance(vobj.Proxy, kind):
+        kind(vobj)
+
+
+class DocumentObserver:
+    """What FreeCAD tells no view provider: removal by a script or by undo, and what undo and redo bring
+    back."""
+
+    def slotDeletedObject(self, obj):
+        if getattr(obj, "FunicularType", "") == "Gridshell":
+            legend.hide(obj)
+
+    def slotUndoDocument(self, document):
+        _refresh_gridshells(document)
+
+    def slotRedoDocument(self, document):
+        _refresh_gridshells(document)
+
+    def slotFinishRestoreDocument(self, document):
+        _refresh_gridshells(document)
+
+
+def _refresh_gridshells(document):
+    for obj in document.Objects:
+        if getattr(obj, "FunicularType", "") == "Gridshell":
+            attach_view_provider(obj)
+            obj.ViewObject.Proxy.refresh(obj.ViewObject)
+
+
+FreeCAD.addDocumentObserver(DocumentObserver())
