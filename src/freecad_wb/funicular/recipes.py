@@ -24,14 +24,14 @@ def support_recipe(net, name):
     lacks what the recipe speaks of: a border, corners, a border that has a direction on plan.
     """
     if name not in RECIPES:
-        raise fn.InvalidInput(f"support recipe '{name}' is unknown: choose one of {', '.join(RECIPES)}")
+        raise fn.InvalidInput(f"recipe '{name}' is unknown: choose one of {', '.join(RECIPES)}")
     return RECIPES[name](net)
 
 
 def _boundary(net):
     if not len(net.border):
         raise fn.InvalidInput(
-            "support recipe 'boundary': the net is closed and has no border; choose 'lowest points' instead"
+            "recipe 'boundary': the net is closed and has no border; choose 'lowest points' instead"
         )
     return [fn.Fixed(net.border)]
 
@@ -77,7 +77,7 @@ def _corner_nodes(net, recipe):
     else:
         return net.lattice.corners
     other = "boundary" if len(net.border) else "lowest points"
-    raise fn.InvalidInput(f"support recipe '{recipe}': {reason}; choose '{other}' instead")
+    raise fn.InvalidInput(f"recipe '{recipe}': {reason}; choose '{other}' instead")
 
 
 def _horizontal_normals(nodes, side):
@@ -88,7 +88,7 @@ def _horizontal_normals(nodes, side):
     upright = np.flatnonzero(on_plan <= 1e-9 * np.linalg.norm(chords, axis=1))
     if len(upright):
         raise fn.InvalidInput(
-            "support recipe 'corners and border planes': the border is vertical at node "
+            "recipe 'corners and border planes': the border is vertical at node "
             f"{side[1 + upright[0]]}, where more than one vertical plane holds it; choose 'corners' or "
             "'boundary' instead"
         )

@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Gridshell in the document: a Net, its loads and supports; its shape is the relaxed lattice."""
+
+import numpy as np
+
+import funicular as fn
+
+from ..recipes import support_recipe
+from .feature import Feature, Property
+from .net import edges_of, net_of, to_vectors
+from .progress import Progress
+
+SHARES = ("Angle", "Equal", "Voronoi")
+RECIPES = ("Boundary", "Corners", "Corners and border planes", "Lowest points", "None")
+METHODS = ("Auto", "Newton", "Relaxation")
+
+# FreeCAD's internal units are mm, kg and s: the factors to SI.
+METRES = 1e-3
+NEWTONS = 1e-3
+NEWTONS_PER_SQUARE_METRE = 1e3
+KILOGRAMS_PER_METRE = 1e3
+KILOGRAMS_PER_SQUARE_METRE = 1e6
+
+
+def _result(kind, name, tooltip):
+    return Property(kind, name, "Results", tooltip, mode=("ReadOnly",))
+
+
+class Gridshell(Feature):
+    TYPE = "Gridshell"
+    PROPERTIES = (
+        Property(
+            "App::PropertyLink", "Net", "Net", "The net that is relaxed; several gridshells may share one"
+        ),
+        Property(
+            "App::PropertyQuantity",
+            "MemberWeight",
+            "Weights",
+            "Weight of the members per length; 0 for none",
+            "12 kg/m",
+            unit="kg/m",
+        ),
+        Property(
+            "App::PropertyQuantity",
+            "CoveringWeight",
+            "Weights",
+            "Weight of the covering per area; 0 for none",
+            "30 kg/m^2",
+            unit="kg/m^2",
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "CoveringShare",
+            "Weights",
+            "How a panel's weight goes to its corners: by their angles, equally, by the area nearest to each",
+            "Angle",
+            SHARES,
+        ),
+        Property("App::PropertyPressure", "Snow", "Weights", "Snow load on plan; 0 for none", 0.0),
+        Property(
+            "App::PropertyForce",
+            "AxialStiffness",
+            "Stiffness",
+            "EA of the members, the force that would double their length: the lower, the higher the shell",
+            "100 kN",
+        ),
+        Property(
+            "App::PropertyBool",
+            "AllowTension",
+            "Stiffness",
+            "Let members carry tension too; otherwise those that would go slack",
+            False,
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "SupportRecipe",
+            "Supports",
+            "Where the shell stands",
+            "Boundary",
+            RECIPES,
+        ),
+        Property(
+            "App::PropertyLength",
+            "Accuracy",
+            "Solution",
+            "How far from equilibrium the nodes may lie",
+            "1 mm",
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Method",
+            "Solution",
+            "Newton is fast; relaxation is the method of Brivio et al. (2009); auto chooses",
+            "Auto",
+            METHODS,
+        ),
+        Property(
+            "App::PropertyFloat", "MaxSeconds", "Solution", "Give up after this time; 0 for never", 60.0
+        ),
+        Property(
+            "App::PropertyInteger",
+            "LengthMatching",
+            "Solution",
+            "Rounds that bring the members back to their lengths on the source; 0 for none",
+            0,
+        ),
+        _result("App::PropertyString", "Status", "How the last recompute ended"),
+        _result("App::PropertyString", "Summary", "The result in a sentence"),
+        _result("App::PropertyString", "MethodUsed", "The method that found the result"),
+        _result("App::PropertyVectorList", "NodePositions", "Relaxed position of each node [mm]"),
+        _result("App::PropertyFloatList", "MemberForces", "Force in each member [N], compression negative"),
+        _result("App::PropertyVectorList", "Reactions", "Reaction at each node [N], zero where unsupported"),
+        _result("App::PropertyFloat", "Residual", "Largest unbalanced force at a node, in mean nodal loads"),
+        _result("App::PropertyLength", "PositionError", "How far the nodes still are from equilibrium"),
+        _result(
+            "App::PropertyBool", "CompressionOnly", "No member is in tension: recomputed from the result"
+        ),
+        _result("App::PropertyIntegerList", "TensionMembers", "Members in tension, counted from 0"),
+        _result("App::PropertyIntegerList", "SlackMembers", "Members without force: they can be left out"),
+        _result("App::PropertyForce", "WorstTension", "Largest tension in a member"),
+        _result("App::PropertyForce", "TotalWeight", "Sum of all loads, downwards"),
+        _result("App::PropertyForce", "ReactionSum", "Sum of all reactions, upwards"),
+        _result("App::PropertyInteger", "Iterations", "Iterations of the solver"),
+        _result("App::PropertyFloat", "Seconds", "Time in the solver"),
+        _result(
+            "App::PropertyFloat",
+            "LengthDeviation",
+            "Root mean square of the members' relative difference from their lengths on the source",
+        ),
+    )
+
+    def compute(self, obj):
+        try:
+            scene = scene_of(obj)
+            scene, result = _solve(obj, scene)
+            if result.status != "converged":
+                raise fn.InvalidInput(result.message)
+        except (ValueError, ImportError) as error:
+            # The last good shape and numbers stay, but nothing may take them for those of this scene.
+            obj.Status = "failed"
+            obj.Summary = str(error)
+            raise
+        _write(obj, scene, result, fn.certify(scene, result))
+
+
+def scene_of(obj):
+    """The fn.Scene that a Gridshell's properties describe. Raises InvalidInput naming the property."""
+    if obj.Net is None:
+        raise fn.InvalidInput(
+            "Net is empty (none was given, or it was deleted): set it to a Net of this document"
+        )
+    if getattr(obj.Net, "FunicularType", "") != "Net":
+        raise fn.InvalidInput(f"Net is {obj.Net.Label}, which is not a Net: set it to a Net of this document")
+    member_weight = _amount(obj, "MemberWeight", KILOGRAMS_PER_METRE, "kg/m")
+    covering_weight = _amount(obj, "CoveringWeight", KILOGRAMS_PER_SQUARE_METRE, "kg/m²")
+    snow = _amount(obj, "Snow", NEWTONS_PER_SQUARE_METRE, "N/m²")
+    stiffness = _amount(obj, "AxialStiffness", NEWTONS, "N")
+    if stiffness == 0.0:
+        raise fn.InvalidInput("AxialStiffness is 0 N: give a force greater than zero")
+    if not (member_weight or covering_weight or snow):
+        raise fn.InvalidInput(
+            "MemberWeight, CoveringWeight and Snow are all zero: without a load no form "
+            "is found; give one of them"
+        )
+    effects = [fn.AxialStiffness(stiffness, compression_only=not obj.AllowTension)]
+    if member_weight:
+        effects.append(fn.MemberWeight(member_weight))
+    if covering_weight:
+        effects.append(fn.CoveringWeight(covering_weight, share=obj.CoveringShare.lower()))
+    if snow:
+        effects.append(fn.Snow(snow))
+    net = net_of(obj.Net)
+    return fn.Scene(net, supports=_supports(obj, net), effects=effects)
+
+
+def solver_options(obj):
+    """The arguments of fn.solve that a Gridshell's properties give. Raises InvalidInput naming one."""
+    accuracy = _amount(obj, "Accuracy", METRES, "m")
+    if accuracy == 0.0:
+        raise fn.InvalidInput("Accuracy is 0 mm: give a length greater than zero, such as 1 mm")
+    return {
+        "accuracy": accuracy,
+        "method": obj.Method.lower(),
+        "max_seconds": _amount(obj, "MaxSeconds", 1.0, "s") or None,
+    }
+
+
+def result_line(obj):
+    """The sentence that tells a Gridshell's last result; empty before the first recompute."""
+    return obj.Summary
+
+
+def _supports(obj, net):
+    if obj.SupportRecipe == "None":
+        raise fn.InvalidInput(
+            "SupportRecipe is None, and a shell without supports falls: choose "
+            + ", ".join(recipe for recipe in RECIPES if recipe != "None")
+        )
+    try:
+        return support_recipe(net, obj.SupportRecipe.lower())
+    except fn.InvalidInput as error:
+        raise fn.InvalidInput(f"SupportRecipe: {error}") from None
+
+
+def _solve(obj, scene):
+    """(scene, result), the scene being the one of the best round where lengths are matched."""
+    options = solver_options(obj)
+    if obj.LengthMatching < 0:
+        raise fn.InvalidInput(f"LengthMatching is {obj.LengthMatching} rounds: give 0 (none) or more")
+    with Progress(f"Relaxing {obj.Label}", options["accuracy"]) as progress:
+        if not obj.LengthMatching:
+            return scene, fn.solve(scene, on_progress=progress, **options)
+        matched = fn.solve_matching_lengths(scene, rounds=obj.LengthMatching, on_progress=progress, **options)
+        return matched.scene, matched.result
+
+
+def _write(obj, scene, result, certificate):
+    net = scene.net
+    deviation = result.member_lengths / net.source_lengths - 1.0
+    nodes = result.nodes / METRES
+    # The shape first: it is what may fail, and then no number has changed.
+    obj.Shape = edges_of(nodes, net.members)
+    obj.NodePositions = to_vectors(nodes)
+    obj.MemberForces = result.member_forces.tolist()
+    obj.Reactions = to_vectors(result.reactions)
+    obj.Residual = result.residual
+    obj.PositionError = result.position_error / METRES
+    obj.MethodUsed = result.method
+    obj.Iterations = result.iterations
+    obj.Seconds = result.seconds
+    obj.LengthDeviation = float(np.sqrt(np.mean(deviation**2)))
+    obj.CompressionOnly = certificate.compression_only
+    obj.TensionMembers = [int(member) for member in certificate.tension_members]
+    obj.SlackMembers = [int(member) for member in certificate.slack_members]
+    obj.WorstTension = certificate.worst_tension / NEWTONS
+    obj.TotalWeight = -certificate.total_load[2] / NEWTONS
+    obj.ReactionSum = certificate.reaction_sum[2] / NEWTONS
+    obj.Status = result.status
+    obj.Summary = _sentence(result, certificate)
+
+
+def _sentence(result, certificate):
+    if certificate.compression_only:
+        forces = f"compression only, at most {_force(-result.member_forces.min())}"
+        if len(certificate.slack_members):
+            forces += f", {len(certificate.slack_members)} slack"
+    else:
+        forces = (
+            f"{len(certificate.tension_members)} of {len(result.member_forces)} members in tension, "
+            f"at most {_force(certificate.worst_tension)}"
+        )
+    return f"Converged, {result.position_error / METRES:.1g} mm from equilibrium; {forces}"
+
+
+def _force(newtons):
+    return f"{newtons / 1e3:.3g} kN" if abs(newtons) >= 1e3 else f"{newtons:.3g} N"
+
+
+def _amount(obj, name, factor, unit):
+    """A property's value in SI units. Raises InvalidInput unless it is finite and not negative."""
+    value = getattr(obj, name)
+    amount = getattr(value, "Value", value) * factor
+    if not np.isfinite(amount) or amount < 0.0:
+        raise fn.InvalidInput(f"{name} is {amount:g} {unit}: give zero or more")
+    return amount

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The scripting API: functions that put Funicular's objects into a document.
+
+Properties are given by name. A value is a text with its unit ("500 mm", "30 kg/m^2"), a FreeCAD quantity, or
+a plain number, which means mm for lengths, kg/m for MemberWeight, kg/m² for CoveringWeight, N/m² for Snow and
+N for AxialStiffness.
+
+    from funicular.make import make_gridshell
+
+    shell = make_gridshell(doc, source=(dome, ["Face1"]), StepU="1 m", StepV="1 m", Snow="1 kPa")
+    doc.recompute()
+"""
+
+from contextlib import contextmanager
+
+import FreeCAD as App
+
+from .features.feature import MARKER
+from .features.gridshell import Gridshell
+from .features.net import Net
+
+FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell)}
+
+PLAIN_NUMBERS = {"App::PropertyLength": "mm", "App::PropertyForce": "N", "App::PropertyPressure": "N/m^2"}
+
+
+def make_net(doc, source, **properties):
+    """Add a Net on a face and return it; doc.recompute() then samples the face.
+
+    source: (object, ["Face1"]), (object, "Face1"), or an object that has a single face. properties: see Net.
+    Raises ValueError for a source that does not say one object, a name that is no property of a Net, a value
+    that the property does not take; then the document is as before.
+    """
+    with _one_undo_step(doc, "Make net"):
+        return _make_net(doc, source, properties)
+
+
+def make_gridshell(doc, source=None, net=None, **properties):
+    """Add a Gridshell, and a Net for it unless one is given, and return it; doc.recompute() then relaxes it.
+
+    Give source (as for make_net) or net, a Net that other gridshells may use as well. properties: those of
+    the Gridshell, and of the new Net. Raises ValueError as make_net does; then the document is as before.
+    """
+    if (source is None) == (net is None):
+        raise ValueError("give either source, a face to make a net on, or net, a Net that is there already")
+    if net is not None and getattr(net, MARKER, "") != Net.TYPE:
+        raise ValueError(f"net is {getattr(net, 'Label', net)!r}, which is not a Net")
+    names_of_net = {each.name for each in _settable(Net)}
+    of_net = {name: value for name, value in properties.items() if name in names_of_net}
+    if net is not None and of_net:
+        raise ValueError(
+            f"{', '.join(of_net)}: these are properties of the net {net.Label}, which is there already and "
+            "may be shared; set them on it"
+        )
+    of_gridshell = {name: value for name, value in properties.items() if name not in of_net}
+    _check_names(Gridshell, of_gridshell, also=names_of_net if net is None else ())
+    with _one_undo_step(doc, "Make gridshell"):
+        if net is None:
+            net = _make_net(doc, source, of_net)
+        obj = _add(doc, Gridshell)
+        obj.Net = net
+        _set(obj, Gridshell, of_gridshell)
+        return obj
+
+
+def attach(obj):
+    """Give an object that has lost them its proxy and, where there is a window, its view provider.
+
+    obj: a document object with the marker property. An object that has both is left alone.
+    """
+    feature = FEATURES[getattr(obj, MARKER)]
+    if not isinstance(obj.Proxy, feature):
+        obj.Proxy = feature.__new__(feature)
+        obj.Proxy.onDocumentRestored(obj)
+    attach_view_provider(obj)
+
+
+def attach_view_provider(obj):
+    """Give an object its view provider where there is a window and it has none."""
+    if App.GuiUp:
+        from .gui.view_providers import attach_view_provider
+
+        attach_view_provider(obj)
+
+
+def _make_net(doc, source, properties):
+    _check_names(Net, properties)
+    obj = _add(doc, Net)
+    obj.Source = _from_the_root(*_one_source(source))
+    _set(obj, Net, properties)
+    return obj
+
+
+def _add(doc, feature):
+    obj = doc.addObject("Part::FeaturePython", feature.TYPE)
+    feature(obj)
+    attach_view_provider(obj)
+    return obj
+
+
+def _one_source(source):
+    """(object, sub-element name or "") of the ways in which a source may be given."""
+    if isinstance(source, (tuple, list)):
+        if len(source) != 2:
+            raise ValueError(
+                f'source has {len(source)} entries: give (object, ["Face1"]) or an object with one face'
+            )
+        obj, subs = source
+        subs = [subs] if isinstance(subs, str) else list(subs)
+        if len(subs) > 1:
+            raise ValueError(
+                f"source names {len(subs)} faces ({', '.join(subs)}): a net lies on one face; "
+                "make a net for each"
+            )
+        sub = subs[0] if subs else ""
+    else:
+        obj, sub = source, ""
+    if not hasattr(obj, "getSubObject"):
+        raise ValueError(f"source {obj!r} is not a document object")
+    return obj, sub
+
+
+def _from_the_root(obj, sub):
+    """The same face, named from the outermost container (App::Part, Body) of the object.
+
+    So the face stands where it is seen, and moving a container moves the net.
+    """
+    parents = [parent for parent in obj.Parents if parent[0].hasExtension("App::GeoFeatureGroupExtension")]
+    if len(parents) != 1:
+        return obj, [sub]
+    container, path = parents[0]
+    return container, [path + (sub or "Face1")]
+
+
+def _settable(feature):
+    return [each for each in feature.PROPERTIES if not each.mode and each.name not in ("Source", "Net")]
+
+
+def _check_names(feature, properties, also=()):
+    valid = {each.name for each in _settable(feature)} | set(also)
+    for name in properties:
+        if name not in valid:
+            raise ValueError(
+                f"{name} is not a property of a {feature.TYPE}: there are {', '.join(sorted(valid))}"
+            )
+
+
+def _set(obj, feature, properties):
+    known = {each.name: each for each in feature.PROPERTIES}
+    for name, value in properties.items():
+        each = known[name]
+        unit = each.unit or PLAIN_NUMBERS.get(each.kind)
+        if unit and isinstance(value, (int, float)):
+            value = App.Units.Quantity(f"{value!r} {unit}")
+        try:
+            if unit and App.Units.Quantity(value).Value < 0.0:
+                raise ValueError("give zero or more")
+            setattr(obj, name, value)
+        except (ArithmeticError, TypeError, ValueError) as error:
+            choices = f"; there are {', '.join(each.choices)}" if each.choices else ""
+            example = f", such as '{each.default}'" if isinstance(each.default, str) and not choices else ""
+            reason = _reason(error)
+            raise ValueError(f"{name} = {value!r} does not do: {reason}{choices}{example}") from None
+
+
+def _reason(error):
+    # FreeCAD's own exceptions carry a dictionary.
+    details = error.args[0] if error.args else error
+    return details.get("sErrMsg", details) if isinstance(details, dict) else details
+
+
+@contextmanager
+def _one_undo_step(doc, name):
+    """Everything inside is one undo step; an exception takes all of it back."""
+    before = {obj.Name for obj in doc.Objects}
+    # Opening a transaction would close one that the caller has opened.
+    own = doc.UndoMode and not doc.HasPendingTransaction
+    if own:
+        doc.openTransaction(name)
+    try:
+        yield
+    except BaseException:
+        for added in reversed([obj.Name for obj in doc.Objects if obj.Name not in before]):
+            doc.removeObject(added)
+        if own:
+            doc.abortTransaction()
+        raise
+    if own:
+        doc.commitTransaction()
