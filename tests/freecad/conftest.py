@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD inside pytest: the system's python3 imports it, with the addon on the path."""
+
+import glob
+import pathlib
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIBRARIES = ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/lib64/freecad/lib")
+
+sys.path[:0] = [str(ROOT), str(ROOT / "src" / "freecad_wb"), str(ROOT / "examples")]
+sys.path += [folder for folder in LIBRARIES if glob.glob(f"{folder}/FreeCAD*")]
+
+import FreeCAD as App  # noqa: E402
+import Part  # noqa: E402
+
+from funicular import observer  # noqa: E402
+
+observer.start()
+
+
+@pytest.fixture
+def doc():
+    """An empty document, closed afterwards."""
+    document = App.newDocument("Test")
+    yield document
+    if document.Name in App.listDocuments():
+        App.closeDocument(document.Name)
+
+
+@pytest.fixture
+def dome(doc):
+    """A spherical cap of 10 m radius above 40 degrees of latitude: closed along u, a pole at v_max."""
+    cap = doc.addObject("Part::Feature", "Dome")
+    cap.Shape = Part.makeSphere(10000, App.Vector(), App.Vector(0, 0, 1), 40, 90, 360).Faces[0]
+    return cap
+
+
+@pytest.fixture
+def box(doc):
+    """A box 8 m x 6 m x 3 m; Face6 is its top."""
+    made = doc.addObject("Part::Box", "Box")
+    made.Length, made.Width, made.Height = 8000, 6000, 3000
+    doc.recompute()
+    return made
