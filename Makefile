@@ -8,7 +8,8 @@ SHELL := /bin/bash
 .NOTPARALLEL:
 MAKEFLAGS += --no-print-directory
 
-# FreeCAD's Python is the system's; another python3 may come first on the PATH.
+# FreeCAD's Python is the system's; another python3 may come first on the PATH. For a FreeCAD that brings its own:
+# make build PYTHON=/path/to/its/python3
 PYTHON := /usr/bin/python3
 export PYTHONDONTWRITEBYTECODE := 1
 
@@ -18,6 +19,10 @@ GUI_HOME := $(CURDIR)/build/freecad-home
 PYTEST := $(PYTHON) -m pytest
 # No GPU, no sound, no sandbox for FreeCAD's start page: what a bare machine or a container has.
 DISPLAY_RUN := QTWEBENGINE_DISABLE_SANDBOX=1 xvfb-run --auto-servernum --server-args="-screen 0 1600x1000x24"
+
+# CMake tells much when all is well.
+configure_preset = mkdir -p build && log=build/configure-$(1).log && cmake --preset $(1)
+or_show_log = > $$log 2>&1 || { cat $$log >&2; exit 1; }
 
 ##@ What to run
 help: ## this list
@@ -40,7 +45,7 @@ setup: ## install the Debian packages of tools/packages.txt that are missing (ro
 	@tools/setup.sh
 
 configure: setup
-	@cmake --preset release --log-level=WARNING
+	@$(call configure_preset,release) -D PYTHON_EXECUTABLE=$(PYTHON) -D Python_EXECUTABLE=$(PYTHON) $(or_show_log)
 
 build: configure ## compile the core into src/freecad_wb/funicular/
 	@cmake --build build/release
@@ -59,7 +64,7 @@ test-core: build ## the C++ core
 	ctest --test-dir build/release --output-on-failure --no-tests=error
 
 test-sanitize: setup ## the C++ core under AddressSanitizer and UndefinedBehaviorSanitizer
-	@cmake --preset sanitize --log-level=WARNING
+	@$(call configure_preset,sanitize) $(or_show_log)
 	@cmake --build build/sanitize
 	ctest --test-dir build/sanitize --output-on-failure --no-tests=error
 

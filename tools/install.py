@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Put the built workbench into FreeCAD's Mod folder; run by tools/freecad_run.py, for only FreeCAD knows where that is.
+"""Put the built workbench into the Mod folder. Run by tools/freecad_run.py: only FreeCAD knows where that is.
 
     install.py           copy what the workbench needs at run time: `make install`
-    install.py --link    link this checkout, and let FreeCAD start in the workbench: `make gui`, in a home of its own
+    install.py --link    link this checkout and let FreeCAD start in the workbench: `make gui`
 """
 
 import os
@@ -58,7 +58,8 @@ def link_addon():
     if os.path.islink(TARGET):
         os.remove(TARGET)
     os.symlink(CHECKOUT, TARGET)
-    App.ParamGet("User parameter:BaseApp/Preferences/General").SetString("AutoloadModule", "FunicularWorkbench")
+    general = App.ParamGet("User parameter:BaseApp/Preferences/General")
+    general.SetString("AutoloadModule", "FunicularWorkbench")
     App.saveParameter()
 
 

@@ -13,12 +13,20 @@ run() {
     printf 'lint: %s\n' "$1"
     "${@:2}" || failed+=("$1")
 }
+# One complaint a file is enough to know that it wants formatting.
+formatted() {
+    local file faults=0
+    for file in "$@"; do
+        clang-format --dry-run -Werror --ferror-limit=1 "$file" || faults=1
+    done
+    return $faults
+}
 tidy() {
     printf '%s\0' "$@" |
         xargs --null --max-args=1 --max-procs="$(nproc)" clang-tidy --quiet -p build/release 2> >(grep -v 'warnings generated\.$' >&2)
 }
 
-run clang-format clang-format --dry-run -Werror "${cpp[@]}"
+run clang-format formatted "${cpp[@]}"
 run clang-tidy tidy "${core_units[@]}"
 run black /usr/bin/python3 -m black --check --quiet --diff "${python[@]}"
 run flake8 /usr/bin/python3 -m flake8 "${python[@]}"
