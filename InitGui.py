@@ -7,8 +7,8 @@ import FreeCADGui
 class FunicularWorkbench(FreeCADGui.Workbench):
     """The workbench as FreeCAD lists it; what it contains is in funicular.gui.workbench.
 
-    FreeCAD runs this file inside a function, so neither the class body nor the methods see names imported at its
-    top: each method imports what it uses.
+    FreeCAD runs this file inside a function, so neither the class body nor the methods see names imported at
+    its top: each method imports what it uses.
     """
 
     def __init__(self):

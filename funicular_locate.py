@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where this addon lies: the one module that Init.py and InitGui.py find by name, because `__file__` is undefined in both."""
+"""Where this addon lies: found by name from Init.py and InitGui.py, in which `__file__` is undefined."""
 
 import os
 import sys
 
-# Not resolved: FreeCAD restores proxies only from modules under a Mod folder as it sees it, so a symlinked addon
-# must keep the path of the link.
+# Not resolved: FreeCAD restores proxies only from modules under a Mod folder as it sees it, so a symlinked
+# addon must keep the path of the link.
 ROOT = os.path.dirname(os.path.abspath(__file__))
 PACKAGE_FOLDER = os.path.join(ROOT, "src", "freecad_wb")
 ICON_FOLDER = os.path.join(ROOT, "Resources", "icons")

@@ -55,7 +55,7 @@ class GridshellCommand:
         try:
             shell = _make(document, source, net)
         except Exception as error:
-            # Whatever went wrong, half an object must not stay behind, and the user must read why.
+            # Whatever went wrong: no half of an object stays behind, and the user reads why.
             document.abortTransaction()
             show_message(str(error))
             return
@@ -108,8 +108,11 @@ def the_source():
 
 
 def _make(document, source, net):
+    from funicular import _native
     from funicular.make import make_gridshell
 
+    # Where the module is missing this raises a sentence, before there are objects that could only fail.
+    _native.load()
     if net is not None:
         shell = make_gridshell(document, net=net)
     else:

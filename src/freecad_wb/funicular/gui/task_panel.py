@@ -84,20 +84,9 @@ class GridshellPanel:
         self._pause = QtCore.QTimer()
         self._pause.setSingleShot(True)
         self._pause.setInterval(PAUSE_MS)
-        self._pause.timeout.connect(self._recompute)
+        self._pause.timeout.connect(self.recompute)
         self.form = self._build()
         FreeCAD.addDocumentObserver(self)
-
-    @classmethod
-    def open(cls, shell):
-        """Show the panel of `shell`. Returns whether it is shown: another dialog may be in the way."""
-        if FreeCADGui.Control.activeDialog():
-            report(translate("Another dialog is open in the task panel. Close it, then edit the gridshell."))
-            return False
-        panel = cls(shell)
-        FreeCADGui.Control.showDialog(panel)
-        panel._recompute()
-        return True
 
     # What FreeCAD calls
 
@@ -171,7 +160,8 @@ class GridshellPanel:
 
     # What follows
 
-    def _recompute(self):
+    def recompute(self):
+        """Solve with what the properties say now, and show what came of it."""
         if self._shell is None:
             return
         self.line.say(("…", "palette(text)"), translate("Solving"))
@@ -185,7 +175,7 @@ class GridshellPanel:
         kept = translate("The last good shape stays.")
         for obj in (self._shell.Net, self._shell):
             if obj is not None and "Invalid" in obj.State:
-                self.line.say(WRONG, f"{obj.Label}: {obj.getStatusString()} {kept}")
+                self.line.say(WRONG, f"{obj.getStatusString()}. {kept}")
                 return
         if self._shell.Status != "converged":
             self.line.say(WRONG, result_line(self._shell))
@@ -200,3 +190,17 @@ class GridshellPanel:
         FreeCAD.removeDocumentObserver(self)
         document, self._document, self._shell = self._document, None, None
         return document
+
+
+def edit(shell):
+    """Show the panel of a gridshell and bring its result up to date.
+
+    Returns whether the panel is shown: another dialog may be in the way.
+    """
+    if FreeCADGui.Control.activeDialog():
+        report(translate("Another dialog is open in the task panel. Close it, then edit the gridshell."))
+        return False
+    panel = GridshellPanel(shell)
+    FreeCADGui.Control.showDialog(panel)
+    panel.recompute()
+    return True

@@ -4,7 +4,7 @@
 import FreeCAD
 import FreeCADGui
 
-from funicular.gui import legend
+from funicular.gui import legend, solving
 from funicular.gui.colours import ForceScale
 from funicular.gui.icons import icon
 from funicular.gui.qt import QT_TRANSLATE_NOOP, translate
@@ -122,9 +122,9 @@ class ViewProviderGridshell(ViewProvider):
     def setEdit(self, vobj, mode=0):
         if mode != 0:
             return None
-        from funicular.gui.task_panel import GridshellPanel
+        from funicular.gui import task_panel
 
-        return GridshellPanel.open(vobj.Object)
+        return task_panel.edit(vobj.Object)
 
     def unsetEdit(self, vobj, mode=0):
         if mode != 0:
@@ -174,3 +174,4 @@ def _refresh_gridshells(document):
 
 
 FreeCAD.addDocumentObserver(DocumentObserver())
+solving.install()

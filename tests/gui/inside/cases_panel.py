@@ -1,0 +1,302 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The gridshell's panel: from the command to OK or Cancel, and what it says on the way."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import pytest
+from window import (
+    QtCore,
+    QtWidgets,
+    clear_report_view,
+    close_panel,
+    panel_box,
+    press,
+    report_view,
+    result_line,
+    run_command,
+    select_faces,
+    send_key,
+    settle,
+    type_into,
+    wait_for_result,
+)
+
+
+@pytest.fixture
+def opened(roof):
+    """The gridshell of a roof, made by the command, with its panel open and its first result shown."""
+    roof.Document.clearUndos()
+    select_faces(roof, "Face1")
+    run_command()
+    shell = roof.Document.getObject("Gridshell")
+    assert shell is not None, report_view()
+    wait_for_result()
+    return shell
+
+
+def names(document):
+    return [obj.Name for obj in document.Objects]
+
+
+def edit_again(shell):
+    """What a double click on the object in the tree does."""
+    shell.ViewObject.Proxy.doubleClicked(shell.ViewObject)
+    settle()
+    return wait_for_result()
+
+
+def test_command_makes_net_and_gridshell_and_shows_the_result(opened):
+    assert names(opened.Document) == ["Roof", "Net", "Gridshell"]
+    assert opened.Status == "converged"
+    assert result_line().startswith("✔") and "mm from equilibrium" in result_line()
+    assert "compression only" in result_line()
+    assert len(opened.Shape.Edges) == opened.Net.MemberCount == len(opened.MemberForces) > 100
+
+
+def test_source_and_net_give_way_to_the_gridshell_and_hang_below_it(opened, roof):
+    assert not roof.Visibility and not opened.Net.Visibility and opened.Visibility
+    assert opened.ViewObject.claimChildren() == [opened.Net]
+    assert opened.Net.ViewObject.claimChildren() == [roof]
+
+
+def test_every_input_has_a_label_and_says_what_it_is(opened):
+    boxes = [
+        box
+        for form in panel_box("ResultLine").parent().findChildren(QtWidgets.QFormLayout)
+        for box in (
+            form.itemAt(row, QtWidgets.QFormLayout.FieldRole).widget() for row in range(form.rowCount())
+        )
+    ]
+    assert len(boxes) == 13
+    for box in boxes:
+        assert len(box.toolTip()) > 10, f"{box.objectName()} has no tooltip"
+        assert box.focusPolicy() & QtCore.Qt.TabFocus, f"{box.objectName()} is not reached by the Tab key"
+
+
+def test_a_new_weight_gives_a_new_result(opened):
+    before = result_line()
+    force = min(opened.MemberForces)
+    type_into(panel_box("CoveringWeight"), "60 kg/m^2")
+    wait_for_result(before)
+    assert opened.CoveringWeight.getValueAs("kg/m^2") == pytest.approx(60.0)
+    assert min(opened.MemberForces) < force
+    assert opened.Status == "converged"
+
+
+def test_a_bare_number_is_in_the_unit_that_is_shown(opened):
+    type_into(panel_box("MemberWeight"), "20")
+    assert opened.MemberWeight.getValueAs("kg/m") == pytest.approx(20.0)
+    type_into(panel_box("MemberWeight"), "0.05 t/m")
+    assert opened.MemberWeight.getValueAs("kg/m") == pytest.approx(50.0)
+
+
+def test_a_new_step_makes_a_new_net(opened):
+    before, members = result_line(), opened.Net.MemberCount
+    type_into(panel_box("StepU"), "800 mm")
+    wait_for_result(before)
+    assert opened.Net.StepU.Value == pytest.approx(800.0)
+    assert opened.Net.MemberCount != members
+    assert len(opened.Shape.Edges) == len(opened.MemberForces) == opened.Net.MemberCount
+
+
+def test_choices_follow_the_keyboard(opened):
+    before = result_line()
+    panel_box("SupportRecipe").setFocus()
+    send_key(panel_box("SupportRecipe"), QtCore.Qt.Key_Down)
+    assert opened.SupportRecipe == "Corners"
+    wait_for_result(before)
+    panel_box("AllowTension").setFocus()
+    send_key(panel_box("AllowTension"), QtCore.Qt.Key_Space, " ")
+    assert opened.AllowTension
+
+
+def test_ok_is_one_undo_step(opened, roof):
+    document = opened.Document
+    type_into(panel_box("CoveringWeight"), "45 kg/m^2")
+    press("Ok")
+    assert not Gui.Control.activeDialog() and Gui.ActiveDocument.getInEdit() is None
+    assert opened.CoveringWeight.getValueAs("kg/m^2") == pytest.approx(45.0)
+    assert document.UndoCount == 1 and not document.HasPendingTransaction
+    document.undo()
+    assert names(document) == ["Roof"]
+    assert roof.Visibility
+    document.redo()
+    assert names(document) == ["Roof", "Net", "Gridshell"]
+    shell = document.getObject("Gridshell")
+    assert shell.CoveringWeight.getValueAs("kg/m^2") == pytest.approx(45.0)
+    assert shell.Net == document.getObject("Net") and len(shell.Shape.Edges) == shell.Net.MemberCount
+
+
+def test_ok_solves_with_what_was_typed_last(opened):
+    type_into(panel_box("CoveringWeight"), "75 kg/m^2")
+    weight = opened.TotalWeight.Value
+    press("Ok")
+    assert "Touched" not in opened.State
+    assert opened.TotalWeight.Value > weight
+
+
+def test_cancel_leaves_nothing_behind(opened, roof):
+    document = opened.Document
+    type_into(panel_box("CoveringWeight"), "45 kg/m^2")
+    clear_report_view()
+    press("Cancel")
+    assert names(document) == ["Roof"]
+    assert roof.Visibility
+    assert document.UndoCount == 0 and not document.HasPendingTransaction
+    assert not Gui.Control.activeDialog() and Gui.ActiveDocument.getInEdit() is None
+    assert report_view() == ""
+
+
+def test_escape_cancels(opened, roof):
+    send_key(panel_box("CoveringWeight"), QtCore.Qt.Key_Escape)
+    settle()
+    assert not Gui.Control.activeDialog()
+    assert names(roof.Document) == ["Roof"]
+
+
+def test_double_click_edits_and_cancel_restores(opened):
+    press("Ok")
+    document, nodes, weight = opened.Document, opened.NodePositions, opened.CoveringWeight
+    before = edit_again(opened)
+    assert Gui.ActiveDocument.getInEdit().Object == opened
+    type_into(panel_box("CoveringWeight"), "90 kg/m^2")
+    wait_for_result(before)
+    assert opened.NodePositions != nodes
+    press("Cancel")
+    assert opened.CoveringWeight == weight
+    assert len(opened.NodePositions) == len(nodes)
+    assert max((a - b).Length for a, b in zip(opened.NodePositions, nodes)) < 2 * opened.Accuracy.Value
+    assert document.UndoCount == 1 and not document.HasPendingTransaction
+    assert "Touched" not in opened.State
+
+
+def test_double_click_edits_and_ok_is_one_more_undo_step(opened):
+    press("Ok")
+    document, weight = opened.Document, opened.CoveringWeight
+    edit_again(opened)
+    type_into(panel_box("CoveringWeight"), "90 kg/m^2")
+    type_into(panel_box("StepV"), "700 mm")
+    press("Ok")
+    assert document.UndoCount == 2
+    document.undo()
+    assert opened.CoveringWeight == weight and opened.Net.StepV.Value != pytest.approx(700.0)
+
+
+def test_a_second_double_click_does_not_disturb_the_open_panel(opened):
+    document = opened.Document
+    opened.ViewObject.Proxy.doubleClicked(opened.ViewObject)
+    settle()
+    assert Gui.Control.activeDialog()
+    press("Cancel")
+    assert names(document) == ["Roof"]
+
+
+@pytest.mark.parametrize(
+    "name, text, words",
+    [
+        ("StepU", "0 mm", "StepU"),
+        ("StepU", "50 m", "StepU"),
+        ("CoveringWeight", "-5 kg/m^2", "CoveringWeight"),
+        ("MemberWeight", "-1", "MemberWeight"),
+        ("AxialStiffness", "0 kN", "AxialStiffness"),
+        ("Accuracy", "0 mm", "Accuracy"),
+    ],
+)
+def test_bad_input_is_a_sentence_and_the_last_good_shape_stays(opened, name, text, words):
+    before, edges = result_line(), len(opened.Shape.Edges)
+    clear_report_view()
+    type_into(panel_box(name), text)
+    line = wait_for_result(before)
+    assert line.startswith("✖") and words in line and "last good shape" in line
+    assert len(opened.Shape.Edges) == edges
+    assert words in report_view()
+
+
+def test_no_supports_is_a_sentence(opened):
+    before = result_line()
+    box = panel_box("SupportRecipe")
+    box.setCurrentIndex(box.findText("None"))
+    line = wait_for_result(before)
+    assert line.startswith("✖") and "SupportRecipe" in line and "choose" in line
+
+
+def test_what_is_no_quantity_is_a_sentence_and_ok_waits_for_better(opened):
+    weight = opened.CoveringWeight
+    type_into(panel_box("CoveringWeight"), "heavy")
+    assert result_line().startswith("✖") and "heavy" in result_line() and "kg/m^2" in result_line()
+    press("Ok")
+    assert Gui.Control.activeDialog() and opened.CoveringWeight == weight
+    type_into(panel_box("CoveringWeight"), "5 mm")
+    assert result_line().startswith("✖")
+    type_into(panel_box("CoveringWeight"), "25")
+    assert wait_for_result().startswith("✔")
+    press("Ok")
+    assert not Gui.Control.activeDialog()
+
+
+def test_a_mended_input_mends_the_result(opened):
+    before = result_line()
+    type_into(panel_box("CoveringWeight"), "-5")
+    wrong = wait_for_result(before)
+    type_into(panel_box("CoveringWeight"), "30")
+    assert wait_for_result(wrong).startswith("✔")
+
+
+def test_a_deleted_source_is_a_sentence(opened, roof):
+    press("Ok")
+    roof.Document.removeObject("Roof")
+    edges = len(opened.Shape.Edges)
+    line = edit_again(opened)
+    assert line.startswith("✖") and "Source" in line
+    assert len(opened.Shape.Edges) == edges
+    press("Cancel")
+
+
+def test_a_trimmed_face_is_a_sentence_and_cancel_takes_it_back(document):
+    cylinder = document.addObject("Part::Cylinder", "Cylinder")
+    document.recompute()
+    select_faces(cylinder, "Face2")
+    run_command()
+    line = wait_for_result()
+    assert line.startswith("✖") and "trimmed" in line
+    press("Cancel")
+    assert names(document) == ["Cylinder"]
+
+
+def test_closing_the_document_closes_the_panel(opened):
+    type_into(panel_box("CoveringWeight"), "45")
+    clear_report_view()
+    App.closeDocument(opened.Document.Name)
+    settle()
+    assert not Gui.Control.activeDialog()
+    # Longer than the panel's pause before it solves.
+    QtCore.QThread.msleep(500)
+    settle()
+    assert report_view() == ""
+
+
+def test_an_expression_is_shown_and_left_alone(opened, roof):
+    press("Ok")
+    roof.addProperty("App::PropertyLength", "Cell")
+    roof.Cell = "750 mm"
+    opened.Net.setExpression("StepU", "Roof.Cell")
+    roof.Document.recompute()
+    edit_again(opened)
+    assert panel_box("StepU").property("rawValue") == pytest.approx(750.0)
+    type_into(panel_box("CoveringWeight"), "35")
+    press("Ok")
+    assert opened.Net.ExpressionEngine == [("StepU", "Roof.Cell")]
+    assert opened.Net.StepU.Value == pytest.approx(750.0)
+
+
+def test_a_net_can_carry_a_second_gridshell(opened):
+    press("Ok")
+    document = opened.Document
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(opened.Net)
+    run_command()
+    wait_for_result()
+    press("Ok")
+    assert names(document) == ["Roof", "Net", "Gridshell", "Gridshell001"]
+    assert document.getObject("Gridshell001").Net == opened.Net
+    close_panel()

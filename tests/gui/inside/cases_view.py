@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The gridshell in the 3D view and in the tree: colours, legend, pictures, files."""
+
+import subprocess
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import pytest
+from funicular.gui import legend
+from funicular.make import make_gridshell
+from window import (
+    QtGui,
+    QtWidgets,
+    colours_of,
+    legends,
+    panel_box,
+    press,
+    run_command,
+    select_faces,
+    settle,
+    wait_for_result,
+)
+
+
+@pytest.fixture
+def shell(roof):
+    roof.Visibility = False
+    shell = make_gridshell(roof.Document, source=(roof, ["Face1"]), StepU="500 mm", StepV="500 mm")
+    shell.Net.Visibility = False
+    roof.Document.recompute()
+    assert shell.Status == "converged", shell.Summary
+    settle()
+    return shell
+
+
+def view():
+    return Gui.ActiveDocument.ActiveView
+
+
+def as_float(colours):
+    return [tuple(round(channel, 2) for channel in colour[:3]) for colour in colours]
+
+
+def test_each_member_has_the_colour_of_its_force(shell):
+    colours = shell.ViewObject.LineColorArray
+    assert len(colours) == len(shell.MemberForces) == shell.Net.MemberCount
+    by_force = sorted(range(len(colours)), key=lambda member: shell.MemberForces[member])
+    light = [sum(colours[member][:3]) for member in by_force]
+    assert light == sorted(light), "more compression is darker"
+    assert light[0] < light[-1] - 0.5
+
+
+def test_colours_follow_a_new_number_of_members(shell):
+    for step in ("1000 mm", "400 mm"):
+        shell.Net.StepU = step
+        shell.Document.recompute()
+        assert len(shell.ViewObject.LineColorArray) == len(shell.MemberForces) == shell.Net.MemberCount
+
+
+def test_colours_can_be_switched_off_and_on(shell):
+    coloured = as_float(shell.ViewObject.LineColorArray)
+    shell.ViewObject.ColourByForce = False
+    assert as_float(shell.ViewObject.LineColorArray) == as_float([shell.ViewObject.LineColor])
+    assert legends(shell.Document) == []
+    shell.ViewObject.ColourByForce = True
+    assert as_float(shell.ViewObject.LineColorArray) == coloured
+
+
+def test_there_is_one_legend_however_often_it_is_recomputed(shell):
+    for weight in ("20 kg/m^2", "40 kg/m^2"):
+        shell.CoveringWeight = weight
+        shell.Document.recompute()
+        assert legends(shell.Document) == ["Funicular_legend_Gridshell"]
+
+
+def test_legend_goes_and_comes_with_the_gridshell(shell):
+    document, vobj = shell.Document, shell.ViewObject
+    vobj.Visibility = False
+    assert legends(document) == []
+    vobj.Visibility = True
+    assert len(legends(document)) == 1
+    vobj.ShowLegend = False
+    assert legends(document) == []
+    vobj.ShowLegend = True
+    assert len(legends(document)) == 1
+
+
+def test_legend_goes_with_a_deleted_gridshell_and_comes_back_with_undo(shell):
+    document = shell.Document
+    document.openTransaction("Delete")
+    document.removeObject(shell.Name)
+    document.commitTransaction()
+    assert legends(document) == []
+    document.undo()
+    settle()
+    assert legends(document) == ["Funicular_legend_Gridshell"]
+
+
+def test_deleting_in_the_window_shows_the_net_again(shell):
+    net = shell.Net
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(shell)
+    Gui.runCommand("Std_Delete")
+    settle()
+    assert shell.Document.getObject("Gridshell") is None
+    assert net.Visibility
+    assert legends(net.Document) == []
+
+
+def test_each_of_two_gridshells_has_its_legend_beside_the_other(shell):
+    second = make_gridshell(shell.Document, net=shell.Net, CoveringWeight="90 kg/m^2")
+    shell.Document.recompute()
+    assert sorted(legends(shell.Document)) == ["Funicular_legend_Gridshell", "Funicular_legend_Gridshell001"]
+    places = [
+        node.getChild(0).getChild(2).translation.getValue()[0]
+        for node in legend._legends(view().getSceneGraph())
+    ]
+    assert places[1] > places[0]
+    second.Document.removeObject(second.Name)
+    assert legends(shell.Document) == ["Funicular_legend_Gridshell"]
+
+
+def test_legend_does_not_count_as_part_of_the_model(shell):
+    def camera_height():
+        view().viewIsometric()
+        view().fitAll()
+        return view().getCameraNode().height.getValue()
+
+    with_legend = camera_height()
+    shell.ViewObject.ShowLegend = False
+    assert camera_height() == pytest.approx(with_legend)
+
+
+def test_a_file_comes_back_with_colours_legend_and_panel(shell, tmp_path):
+    path = str(tmp_path / "roof.FCStd")
+    forces = list(shell.MemberForces)
+    shell.ViewObject.LineWidth = 5.0
+    shell.Document.saveAs(path)
+    App.closeDocument(shell.Document.Name)
+    document = App.openDocument(path)
+    settle()
+    try:
+        again = document.getObject("Gridshell")
+        assert list(again.MemberForces) == forces
+        assert type(again.ViewObject.Proxy).__name__ == "ViewProviderGridshell"
+        assert len(again.ViewObject.LineColorArray) == len(forces)
+        assert again.ViewObject.LineWidth == 5.0
+        assert again.ViewObject.Icon is not None
+        assert legends(document) == ["Funicular_legend_Gridshell"]
+        again.ViewObject.Proxy.doubleClicked(again.ViewObject)
+        assert wait_for_result().startswith("✔")
+        press("Cancel")
+    finally:
+        App.closeDocument(document.Name)
+
+
+def test_a_file_saved_without_a_window_gets_its_view_providers(document, tmp_path):
+    path = tmp_path / "headless.FCStd"
+    script = tmp_path / "headless.py"
+    script.write_text(
+        "import os, FreeCAD as App, Part\n"
+        "from funicular.make import make_gridshell\n"
+        "doc = App.newDocument('Headless')\n"
+        "plane = doc.addObject('Part::Plane', 'Plane')\n"
+        "plane.Length, plane.Width = 6000, 4000\n"
+        "doc.recompute()\n"
+        "make_gridshell(doc, source=(plane, ['Face1']), StepU='500 mm', StepV='500 mm')\n"
+        "doc.recompute()\n"
+        f"doc.saveAs({str(path)!r})\n"
+        "os._exit(0)\n",
+        encoding="utf-8",
+    )
+    subprocess.run(["freecadcmd", str(script)], check=True, timeout=300, stdout=subprocess.DEVNULL)
+    opened = App.openDocument(str(path))
+    settle()
+    try:
+        shell = opened.getObject("Gridshell")
+        assert shell.Status == "converged"
+        assert type(shell.ViewObject.Proxy).__name__ == "ViewProviderGridshell"
+        assert type(shell.Net.ViewObject.Proxy).__name__ == "ViewProviderNet"
+        assert shell.ViewObject.claimChildren() == [shell.Net]
+        assert len(shell.ViewObject.LineColorArray) == len(shell.MemberForces)
+        assert legends(opened) == ["Funicular_legend_Gridshell"]
+    finally:
+        App.closeDocument(opened.Name)
+
+
+def test_closing_a_document_leaves_the_others_legend(shell):
+    other = App.newDocument("Other")
+    settle()
+    App.closeDocument(other.Name)
+    settle()
+    assert legends(shell.Document) == ["Funicular_legend_Gridshell"]
+
+
+def test_picture_shows_blue_members_and_the_legend(shell, pictures):
+    view().viewIsometric()
+    view().fitAll()
+    settle()
+    path = pictures / "gridshell.png"
+    view().saveImage(str(path), 1200, 800, "White")
+    colours = colours_of(path)
+    total = sum(colours.values())
+    blue = sum(count for (r, g, b), count in colours.items() if b > r + 40 and b > g)
+    assert blue > 0.01 * total, "members are drawn in the blue of compression"
+    assert len(colours) > 200, "many forces, many shades"
+    dark = sum(count for colour, count in colours.items() if max(colour) < 90)
+    assert dark > 0.0005 * total, "the legend is written in dark ink"
+    shell.ViewObject.ShowLegend = False
+    settle()
+    bare = pictures / "without_legend.png"
+    view().saveImage(str(bare), 1200, 800, "White")
+    left_out = sum(count for colour, count in colours_of(bare).items() if max(colour) < 90)
+    assert left_out < dark / 2
+
+
+def test_picture_of_tension_shows_orange(shell, pictures):
+    shell.AllowTension = True
+    shell.SupportRecipe = "Corners"
+    shell.Document.recompute()
+    assert not shell.CompressionOnly and shell.TensionMembers, shell.Summary
+    view().viewIsometric()
+    view().fitAll()
+    settle()
+    path = pictures / "tension.png"
+    view().saveImage(str(path), 1200, 800, "Current")
+    orange = sum(count for (r, g, b), count in colours_of(path).items() if r > b + 80)
+    assert orange > 500
+
+
+def test_picture_of_the_whole_window_with_its_panel(roof, pictures):
+    window = Gui.getMainWindow()
+    window.showMaximized()
+    select_faces(roof, "Face1")
+    run_command()
+    wait_for_result()
+    Gui.Selection.clearSelection()
+    view().viewIsometric()
+    view().fitAll()
+    settle(20)
+    path = pictures / "window.png"
+    # Of the screen, not of the window: the 3D view is not Qt's to draw.
+    assert window.screen().grabWindow(0).save(str(path))
+    picture = QtGui.QImage(str(path))
+    assert picture.width() >= 1000 and picture.height() >= 700
+    colours = colours_of(path)
+    total = sum(colours.values())
+    assert len(colours) > 500
+    assert max(colours.values()) < 0.7 * total, "no one colour fills the screen"
+    assert sum(count for (r, g, b), count in colours.items() if b > r + 60 and b > g + 20) > 2000
+    box = panel_box("CoveringWeight")
+    corner = box.mapToGlobal(box.rect().topLeft())
+    assert QtWidgets.QApplication.primaryScreen().geometry().contains(corner), "the panel is on the screen"
+    written = picture.copy(corner.x(), corner.y(), box.width(), box.height())
+    shades = {written.pixel(x, y) for x in range(written.width()) for y in range(written.height())}
+    assert len(shades) > 5, "the box shows its value"
+    press("Cancel")

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a case needs of the running FreeCAD."""
+
+import json
+import os
+import pathlib
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+import pytest
+from window import clear_report_view, close_panel, settle
+
+
+@pytest.fixture
+def pictures():
+    """Folder for pictures that people look at."""
+    return pathlib.Path(json.loads(os.environ["FUNICULAR_GUI_CASES"])["pictures"])
+
+
+@pytest.fixture
+def workbench():
+    Gui.activateWorkbench("FunicularWorkbench")
+    settle()
+    return Gui.activeWorkbench()
+
+
+@pytest.fixture
+def document(workbench):
+    """An empty document with undo, shown in a 3D view."""
+    document = App.newDocument("Case")
+    document.UndoMode = 1
+    Gui.Selection.clearSelection()
+    view = Gui.ActiveDocument.ActiveView
+    view.setAnimationEnabled(False)
+    clear_report_view()
+    yield document
+    close_panel()
+    if document.Name in App.listDocuments():
+        App.closeDocument(document.Name)
+    settle()
+
+
+@pytest.fixture
+def roof(document):
+    """A shallow spherical roof: one untrimmed B-spline face over 8 m × 6 m, 1.5 m high."""
+    poles = [
+        [
+            App.Vector(
+                8000 * i / 3, 6000 * j / 3, 3400 * (1 - (2 * i / 3 - 1) ** 2) * (1 - (2 * j / 3 - 1) ** 2)
+            )
+            for j in range(4)
+        ]
+        for i in range(4)
+    ]
+    surface = Part.BSplineSurface()
+    surface.buildFromPolesMultsKnots(poles, [4, 4], [4, 4], [0, 1], [0, 1], False, False, 3, 3)
+    roof = document.addObject("Part::Feature", "Roof")
+    roof.Shape = surface.toShape()
+    document.recompute()
+    return roof

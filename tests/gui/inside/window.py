@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's window as a user meets it: keys, clicks, panels, pictures."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+try:
+    from PySide import QtWidgets
+except ImportError:
+    from PySide import QtGui as QtWidgets
+
+GRIDSHELL = "Funicular_Gridshell"
+
+
+def settle(rounds=5):
+    """Let the window handle what is waiting, deferred deletions too."""
+    for _ in range(rounds):
+        Gui.updateGui()
+        QtWidgets.QApplication.sendPostedEvents(None, QtCore.QEvent.DeferredDelete)
+
+
+def wait_until(condition, what):
+    """Run the event loop until `condition()`; FreeCAD's own clocks decide when that is."""
+    loop = QtCore.QEventLoop()
+    poll, limit = QtCore.QTimer(), QtCore.QTimer()
+    poll.timeout.connect(lambda: condition() and loop.quit())
+    limit.setSingleShot(True)
+    limit.timeout.connect(loop.quit)
+    poll.start(20)
+    # A safety net for a window that hangs; nothing passes or fails by being slow.
+    limit.start(120_000)
+    (getattr(loop, "exec", None) or loop.exec_)()
+    poll.stop()
+    assert condition(), f"never came: {what}"
+
+
+def report_view():
+    view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
+    settle()
+    return view.toPlainText()
+
+
+def clear_report_view():
+    settle()
+    Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view").clear()
+
+
+def child(kind, name):
+    """The one visible widget of this name in the window, or None."""
+    found = [widget for widget in Gui.getMainWindow().findChildren(kind, name) if widget.isVisible()]
+    assert len(found) <= 1, f"{len(found)} widgets are called {name}"
+    return found[0] if found else None
+
+
+def panel_box(name):
+    box = child(QtWidgets.QWidget, name)
+    assert box is not None, f"the panel has no input {name}"
+    return box
+
+
+def result_line():
+    line = child(QtWidgets.QLabel, "ResultLine")
+    return line.text() if line else ""
+
+
+def wait_for_result(previous=""):
+    """The result line, once it says something else than `previous` and is no longer solving."""
+    wait_until(
+        lambda: result_line() not in ("", previous) and "Solving" not in result_line(), "a result line"
+    )
+    return result_line()
+
+
+def press(button):
+    """Press OK, Cancel or Close of the open panel."""
+    boxes = [box for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) if box.isVisible()]
+    assert len(boxes) == 1, f"{len(boxes)} rows of buttons are visible"
+    boxes[0].button(getattr(QtWidgets.QDialogButtonBox, button)).click()
+    settle()
+
+
+def close_panel():
+    if Gui.Control.activeDialog():
+        Gui.Control.closeDialog()
+    settle()
+
+
+def select_faces(obj, *names):
+    Gui.Selection.clearSelection()
+    for name in names:
+        Gui.Selection.addSelection(obj, name)
+    settle()
+
+
+def run_command():
+    Gui.runCommand(GRIDSHELL)
+    settle()
+
+
+def command_action():
+    """The command's action as the toolbar shows it, brought up to date."""
+    settle()
+    toolbar = Gui.getMainWindow().findChild(QtWidgets.QToolBar, "Funicular")
+    (action,) = [action for action in toolbar.actions() if not action.isSeparator()]
+    return action
+
+
+def send_key(widget, key, text=""):
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        QtWidgets.QApplication.sendEvent(widget, QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, text))
+
+
+def type_into(widget, text):
+    """Replace what stands in a line edit or a spin box, key by key."""
+    line = widget if isinstance(widget, QtWidgets.QLineEdit) else widget.findChild(QtWidgets.QLineEdit)
+    line.setFocus()
+    line.selectAll()
+    for character in text:
+        send_key(line, 0, character)
+    settle()
+
+
+def legends(document):
+    """Names of the legends in the document's 3D view."""
+    names = []
+    for view in Gui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor"):
+        graph = view.getSceneGraph()
+        children = [graph.getChild(index).getName().getString() for index in range(graph.getNumChildren())]
+        names += [name for name in children if "legend" in name]
+    return names
+
+
+def colours_of(path):
+    """{(r, g, b): number of pixels} of a picture."""
+    picture = QtGui.QImage(str(path)).convertToFormat(QtGui.QImage.Format_RGB888)
+    assert not picture.isNull(), f"{path} is no picture"
+    data, stride = bytes(picture.constBits()), picture.bytesPerLine()
+    counts = {}
+    for row in range(0, picture.height(), 2):
+        line = data[row * stride : row * stride + 3 * picture.width()]
+        for start in range(0, len(line), 6):
+            colour = tuple(line[start : start + 3])
+            counts[colour] = counts.get(colour, 0) + 1
+    return counts
+
+
+def documents():
+    return list(App.listDocuments())

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Colours by force and the legend's marks: numbers only, so no FreeCAD."""
+
+import pytest
+from funicular.gui.colours import COMPRESSION_RAMP, TENSION_RAMP, ForceScale, ramp_colour
+
+
+def as_seen_without(cone, colour):
+    """An sRGB colour as seen without "red" or "green" cones (Viénot, Brettel & Mollon 1999), linear RGB."""
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour]
+    red, green, blue = linear
+    if cone == "red":
+        return (
+            0.11238 * red + 0.88762 * green,
+            0.11238 * red + 0.88762 * green,
+            0.004 * (red - green) + blue,
+        )
+    return (0.29275 * red + 0.70725 * green, 0.29275 * red + 0.70725 * green, -0.02234 * (red - green) + blue)
+
+
+def luminance(colour):
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def test_one_colour_per_member_in_member_order():
+    scale = ForceScale([-100.0, 0.0, 40.0], [2])
+    assert scale.member_colours() == [COMPRESSION_RAMP[-1], COMPRESSION_RAMP[0], TENSION_RAMP[-1]]
+
+
+def test_ramp_passes_through_its_colours_and_stays_within_its_ends():
+    assert [ramp_colour(COMPRESSION_RAMP, i / 3) for i in range(4)] == [
+        pytest.approx(colour) for colour in COMPRESSION_RAMP
+    ]
+    assert ramp_colour(TENSION_RAMP, 7.0) == TENSION_RAMP[-1]
+    assert ramp_colour(TENSION_RAMP, -7.0) == TENSION_RAMP[0]
+
+
+def test_each_ramp_darkens_steadily():
+    for ramp in (COMPRESSION_RAMP, TENSION_RAMP):
+        light = [luminance(ramp_colour(ramp, i / 50)) for i in range(51)]
+        assert all(after < before for before, after in zip(light, light[1:]))
+
+
+@pytest.mark.parametrize("cone", ["red", "green"])
+def test_tension_is_told_from_compression_without_one_kind_of_cone(cone):
+    compression = [as_seen_without(cone, ramp_colour(COMPRESSION_RAMP, i / 20)) for i in range(21)]
+    tension = [as_seen_without(cone, ramp_colour(TENSION_RAMP, i / 20)) for i in range(21)]
+    # Compression is bluer than it is yellow, tension the other way round, at every force.
+    assert all(blue > yellow for yellow, _, blue in compression)
+    assert all(blue < yellow / 2 for yellow, _, blue in tension)
+
+
+def test_only_the_certificate_says_what_is_tension():
+    rounding = ForceScale([-100.0, 1e-9])
+    assert rounding.member_colours()[1] == COMPRESSION_RAMP[0]
+    assert rounding.largest_tension == 0.0
+
+
+def test_unit_follows_the_largest_force():
+    assert ForceScale([-999.0]).unit == "N"
+    assert ForceScale([-1000.0]).unit == "kN"
+    assert ForceScale([-10.0, 2500.0], [1]).unit == "kN"
+
+
+def test_numbers_have_three_digits_and_a_true_minus():
+    scale = ForceScale([-12345.0])
+    assert [scale.text(force) for force in (-12345.0, -1234.5, -123450.0, 0.0)] == [
+        "−12.3",
+        "−1.23",
+        "−123",
+        "0",
+    ]
+    assert ForceScale([-0.00012]).text(-0.00012) == "−1.2e-04"
+
+
+def test_marks_name_the_extremes_and_zero_from_top_to_bottom():
+    assert ForceScale([-800.0, -100.0]).marks() == [
+        (1.0, 0.0),
+        (0.75, -200.0),
+        (0.5, -400.0),
+        (0.25, -600.0),
+        (0.0, -800.0),
+    ]
+    marks = ForceScale([-800.0, 100.0], [1]).marks()
+    assert marks[0] == (1.0, 100.0) and (0.75, 0.0) in marks and marks[-1] == (0.0, -800.0)
+    positions = [position for position, _ in marks]
+    assert positions == sorted(positions, reverse=True)
+
+
+def test_bar_shows_the_colour_of_the_force_it_is_marked_with():
+    scale = ForceScale([-800.0, 100.0], [1])
+    for position, force in scale.marks():
+        if force < 0.0:
+            assert scale.bar_colour(position) == pytest.approx(ramp_colour(COMPRESSION_RAMP, -force / 800.0))
+    assert scale.bar_colour(1.0) == pytest.approx(TENSION_RAMP[-1])
+
+
+def test_no_forces_at_all_still_make_a_scale():
+    for forces in ([], [0.0, 0.0]):
+        scale = ForceScale(forces)
+        assert scale.member_colours() == [COMPRESSION_RAMP[0]] * len(forces)
+        assert scale.marks() == [(1.0, 0.0)]
+        assert scale.bar_colour(0.5)
