@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD inside pytest: the system's python3 imports it, with the addon on the path."""
 
-import glob
 import pathlib
 import sys
 
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LIBRARIES = ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/lib64/freecad/lib")
+# FreeCAD itself, then the modules that it would put on the path (PartDesign).
+LIBRARIES = ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/Mod")
 
 sys.path[:0] = [str(ROOT), str(ROOT / "src" / "freecad_wb"), str(ROOT / "examples")]
-sys.path += [folder for folder in LIBRARIES if glob.glob(f"{folder}/FreeCAD*")]
+sys.path += LIBRARIES
 
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
@@ -23,11 +23,10 @@ observer.start()
 
 @pytest.fixture
 def doc():
-    """An empty document, closed afterwards."""
-    document = App.newDocument("Test")
-    yield document
-    if document.Name in App.listDocuments():
-        App.closeDocument(document.Name)
+    """An empty document; every document is closed afterwards."""
+    yield App.newDocument("Test")
+    for name in App.listDocuments():
+        App.closeDocument(name)
 
 
 @pytest.fixture

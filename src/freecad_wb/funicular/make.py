@@ -125,11 +125,16 @@ def _from_the_root(obj, sub):
 
     So the face stands where it is seen, and moving a container moves the net.
     """
-    parents = [parent for parent in obj.Parents if parent[0].hasExtension("App::GeoFeatureGroupExtension")]
+    # FreeCAD lists a body's feature twice.
+    parents = {
+        (container.Name, path)
+        for container, path in obj.Parents
+        if container.hasExtension("App::GeoFeatureGroupExtension")
+    }
     if len(parents) != 1:
         return obj, [sub]
-    container, path = parents[0]
-    return container, [path + (sub or "Face1")]
+    container, path = parents.pop()
+    return obj.Document.getObject(container), [path + (sub or "Face1")]
 
 
 def _settable(feature):

@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Net in the document: made, recomputed, saved, copied, shared, and what it says of bad input."""
+
+import FreeCAD as App
+import numpy as np
+import Part
+import pytest
+
+from documents import array, assert_refused, edge_ends, recompute, reopened
+from faces import FACES, collapsed_face, trimmed_faces
+from funicular.features.net import net_of
+from funicular.make import make_net
+
+V = App.Vector
+
+
+@pytest.fixture
+def net(doc, box):
+    made = make_net(doc, (box, ["Face6"]), StepU="1 m", StepV="1 m")
+    assert recompute(doc) == {}
+    return made
+
+
+@pytest.mark.parametrize("kind", FACES)
+def test_a_net_on_each_kind_of_face(doc, kind):
+    source = doc.addObject("Part::Feature", "Source")
+    source.Shape = FACES[kind][0]()
+    size = source.Shape.Faces[0].BoundBox.DiagonalLength
+    net = make_net(doc, source, StepU=size / 15, StepV=size / 15)
+    assert recompute(doc) == {}
+    numeric = net_of(net)
+    nodes = numeric.nodes * 1000
+    assert (len(nodes), len(numeric.members), len(numeric.panels)) == (
+        net.NodeCount,
+        net.MemberCount,
+        net.PanelCount,
+    )
+    np.testing.assert_allclose(edge_ends(net.Shape), nodes[numeric.members], atol=1e-9 * size)
+    distance = max(
+        source.Shape.Faces[0].Surface.projectPoint(V(*node), "LowerDistance") for node in nodes[::7]
+    )
+    assert distance < 1e-9 * size + 1e-9 * np.abs(nodes).max()
+
+
+def test_the_numbers_of_a_plain_net(net):
+    assert (net.CellsU, net.CellsV, net.NodeCount, net.MemberCount, net.PanelCount) == (8, 6, 63, 110, 48)
+    assert net_of(net).nodes.min(axis=0).tolist() == [0.0, 0.0, 3.0]
+    assert net_of(net).nodes.max(axis=0).tolist() == [8.0, 6.0, 3.0]
+    assert net_of(net).lattice.cells == (8, 6)
+
+
+def test_a_net_follows_its_face(doc, box, net):
+    box.Length = 10000
+    assert recompute(doc) == {}
+    assert net.CellsU == 10
+    assert net.Shape.BoundBox.XMax == 10000
+    box.Placement.Base = V(0, 0, 5000)
+    doc.recompute()
+    assert net.Shape.BoundBox.ZMin == 8000
+
+
+def test_a_net_follows_its_properties(doc, net):
+    net.StepU = "2 m"
+    net.StepV = 500
+    doc.recompute()
+    assert (net.CellsU, net.CellsV) == (4, 12)
+
+
+def test_a_net_follows_an_expression(doc, box, net):
+    net.setExpression("StepU", "Box.Length / 5")
+    doc.recompute()
+    assert net.CellsU == 5
+    box.Length = 40000
+    doc.recompute()
+    assert (net.CellsU, net.StepU.Value) == (5, 8000)
+
+
+def test_a_net_follows_when_it_is_moved(doc, net):
+    net.Placement.Base = V(0, 0, 1000)
+    doc.recompute()
+    assert net.Shape.BoundBox.ZMin == 4000
+    assert net_of(net).nodes[:, 2].min() == 4.0
+
+
+def test_save_and_reopen(doc, net, tmp_path):
+    before = array(net.SourceNodes)
+    again = reopened(doc, tmp_path / "net.FCStd")
+    net = again.Net
+    assert type(net.Proxy).__module__ == "funicular.features.net"
+    assert net.State == ["Up-to-date"]
+    assert again.recompute() == 0
+    np.testing.assert_array_equal(array(net.SourceNodes), before)
+    assert net_of(net).lattice.cells == (8, 6)
+    net.StepU = "4 m"
+    assert recompute(again) == {}
+    assert net.CellsU == 2
+
+
+def test_one_undo_step_makes_and_unmakes_a_net(doc, box):
+    doc.UndoMode = 1
+    make_net(doc, (box, "Face6"))
+    assert doc.UndoNames == ["Make net"]
+    doc.undo()
+    assert doc.getObject("Net") is None
+    doc.redo()
+    assert recompute(doc) == {}
+    assert doc.Net.CellsU == 8
+
+
+def test_undo_of_a_step(doc, net):
+    doc.UndoMode = 1
+    doc.openTransaction("Step")
+    net.StepU = "4 m"
+    doc.recompute()
+    doc.commitTransaction()
+    assert net.CellsU == 2
+    doc.undo()
+    assert (net.CellsU, net.StepU.Value) == (8, 1000)
+    doc.recompute()
+    assert (net.CellsU, len(net.Shape.Edges)) == (8, net.MemberCount)
+
+
+def test_a_copy_is_a_net_of_its_own(doc, box, net):
+    copy = doc.copyObject(net)
+    assert copy.Source[0] == box
+    copy.StepU = "2 m"
+    assert recompute(doc) == {}
+    assert (copy.CellsU, net.CellsU) == (4, 8)
+
+
+class TestSources:
+    def test_an_object_with_one_face(self, doc, dome):
+        net = make_net(doc, dome)
+        assert recompute(doc) == {}
+        assert net.Poles == ["v_max"] and net.ClosedU
+
+    def test_an_object_with_a_placement(self, doc, box):
+        box.Placement = App.Placement(V(0, 0, 1000), App.Rotation(V(0, 0, 1), 90))
+        net = make_net(doc, (box, "Face6"))
+        assert recompute(doc) == {}
+        assert net.Shape.BoundBox.XMin == pytest.approx(-6000)
+        assert net.Shape.BoundBox.ZMin == pytest.approx(4000)
+
+    def test_inside_a_part_that_moves(self, doc, box):
+        part = doc.addObject("App::Part", "Storey")
+        part.addObject(box)
+        part.Placement.Base = V(0, 0, 10000)
+        net = make_net(doc, (box, ["Face6"]))
+        assert recompute(doc) == {}
+        assert net.Shape.BoundBox.ZMin == 13000
+        part.Placement.Base = V(0, 0, 20000)
+        doc.recompute()
+        assert net.Shape.BoundBox.ZMin == 23000
+
+    def test_inside_a_body_that_moves(self, doc):
+        body = doc.addObject("PartDesign::Body", "Body")
+        pad = body.newObject("PartDesign::AdditiveBox", "Block")
+        pad.Length, pad.Width, pad.Height = 8000, 6000, 3000
+        doc.recompute()
+        net = make_net(doc, (pad, ["Face6"]))
+        assert recompute(doc) == {}
+        body.Placement.Base = V(0, 0, 1000)
+        doc.recompute()
+        assert net.Shape.BoundBox.ZMin == 4000
+
+    def test_a_face_of_a_body(self, doc):
+        body = doc.addObject("PartDesign::Body", "Body")
+        body.newObject("PartDesign::AdditiveBox", "Block").Height = 3000
+        doc.recompute()
+        net = make_net(doc, (body, ["Face6"]), StepU=2, StepV=2)
+        assert recompute(doc) == {}
+        assert net.Shape.BoundBox.ZMin == 3000
+
+    def test_a_face_of_a_compound(self, doc, box):
+        compound = doc.addObject("Part::Compound", "Compound")
+        compound.Links = [box]
+        compound.Placement.Base = V(0, 0, 500)
+        doc.recompute()
+        net = make_net(doc, (compound, ["Face6"]))
+        assert recompute(doc) == {}
+        assert net.Shape.BoundBox.ZMin == 3500
+
+    def test_a_link(self, doc, box):
+        link = doc.addObject("App::Link", "Link")
+        link.LinkedObject = box
+        link.Placement.Base = V(0, 0, 500)
+        doc.recompute()
+        net = make_net(doc, (link, ["Face6"]))
+        assert recompute(doc) == {}
+        assert net.Shape.BoundBox.ZMin == 500 + 3000
+
+
+class TestBadInput:
+    def refused(self, doc, net, *sentences):
+        """The net is refused with these sentences; its geometry, its numbers and the document stay whole."""
+        nodes, edges = array(net.SourceNodes), edge_ends(net.Shape)
+        doc.recompute()
+        assert_refused(net, *sentences)
+        np.testing.assert_array_equal(array(net.SourceNodes), nodes)
+        np.testing.assert_array_equal(edge_ends(net.Shape), edges)
+        assert len(nodes) == net.NodeCount == 63
+
+    @pytest.fixture(autouse=True)
+    def saveable(self, doc, tmp_path):
+        yield
+        again = reopened(doc, tmp_path / "refused.FCStd")
+        assert len(again.Net.Shape.Edges) == 110
+        assert "Invalid" in again.Net.State
+
+    def test_several_faces(self, doc, box, net):
+        net.Source = (box, ["Face5", "Face6"])
+        self.refused(doc, net, "Source names 2 elements of Box (Face5, Face6)", "pick one")
+
+    def test_an_object_with_several_faces(self, doc, box, net):
+        net.Source = (box, [""])
+        self.refused(doc, net, "Source Box has 6 faces: pick one of them")
+
+    def test_an_edge(self, doc, box, net):
+        net.Source = (box, ["Edge1"])
+        self.refused(doc, net, "Source Box.Edge1 is not a face: pick a face")
+
+    def test_a_face_that_is_not_there(self, doc, box, net):
+        net.Source = (box, ["Face7"])
+        self.refused(doc, net, "Source Box.Face7 no longer exists (Box has 6 faces now): pick the face again")
+
+    def test_nothing(self, doc, net):
+        net.Source = None
+        self.refused(doc, net, "Source is empty", "set it to one face")
+
+    def test_a_deleted_source(self, doc, net):
+        doc.removeObject("Box")
+        self.refused(doc, net, "Source is empty (no face was picked, or its object was deleted): set it")
+
+    def test_a_source_without_shape(self, doc, net):
+        net.Source = (doc.addObject("Part::Feature", "Hollow"), ["Face1"])
+        self.refused(doc, net, "Source Hollow has no shape: recompute or mend it, or pick another face")
+
+    def test_a_step_of_zero(self, doc, net):
+        net.StepU = 0
+        self.refused(doc, net, "StepU is 0 mm: give a length greater than zero")
+
+    def test_a_step_larger_than_the_face(self, doc, net):
+        net.StepV = "6.1 m"
+        self.refused(
+            doc, net, "StepV is 6100 mm, larger than the face", "measures 6000 mm: give a smaller step"
+        )
+
+    @pytest.mark.parametrize("kind", trimmed_faces())
+    def test_a_trimmed_face(self, doc, net, kind):
+        source = doc.addObject("Part::Feature", "Cut")
+        source.Shape = trimmed_faces()[kind]
+        net.Source = (source, ["Face1"])
+        self.refused(doc, net, "Source Cut.Face1 is trimmed", "not supported yet: pick an untrimmed face")
+
+    def test_a_face_without_area(self, doc, net):
+        source = doc.addObject("Part::Feature", "Line")
+        source.Shape = collapsed_face()
+        net.Source = (source, ["Face1"])
+        self.refused(doc, net, "Source Line.Face1 has no area: pick a face that spans a surface")
+
+
+class TestChangedBody:
+    """Before FreeCAD 1.0 'Face6' is merely the sixth face: another one, maybe, once the body has changed."""
+
+    @pytest.fixture
+    def block(self, doc):
+        made = doc.addObject("Part::Feature", "Block")
+        made.Shape = Part.makeBox(8000, 6000, 3000)
+        return made
+
+    @pytest.fixture
+    def net(self, doc, block):
+        made = make_net(doc, (block, ["Face6"]))
+        assert recompute(doc) == {}
+        return made
+
+    @pytest.mark.skipif(
+        int(App.Version()[0]) >= 1, reason="FreeCAD 1.0 and later follow faces through changes"
+    )
+    def test_a_face_that_may_be_another_is_asked_for_again(self, doc, block, net):
+        block.Shape = Part.makeBox(8000, 6000, 3000).fuse(Part.makeBox(1000, 1000, 5000))
+        doc.recompute()
+        assert_refused(
+            net, "Source Block.Face6 may be another face", "Block has changed", "pick the face again"
+        )
+        assert net.NodeCount == len(net.SourceNodes) == 63
+
+    def test_a_new_pick_is_trusted(self, doc, block, net):
+        block.Shape = Part.makeBox(8000, 6000, 3000).fuse(Part.makeBox(1000, 6000, 5000))
+        doc.recompute()
+        top = max(range(len(block.Shape.Faces)), key=lambda i: block.Shape.Faces[i].CenterOfMass.z)
+        net.Source = (block, [f"Face{top + 1}"])
+        assert recompute(doc) == {}
+        assert net.Shape.BoundBox.ZMin == 5000
+
+    def test_other_measures_are_the_same_body(self, doc, block, net):
+        block.Shape = Part.makeBox(9000, 6000, 4000)
+        assert recompute(doc) == {}
+        assert (net.CellsU, net.Shape.BoundBox.ZMin) == (9, 4000)
+
+    def test_a_lone_face_may_become_another_surface(self, doc, dome):
+        net = make_net(doc, dome)
+        doc.recompute()
+        dome.Shape = Part.makePlane(3000, 2000)
+        assert recompute(doc) == {}
+        assert (net.CellsU, net.CellsV, net.ClosedU, net.Poles) == (3, 2, False, [])
