@@ -6,6 +6,7 @@
 #include "errors.hpp"
 #include "net.hpp"
 
+#include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>

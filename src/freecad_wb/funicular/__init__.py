@@ -8,10 +8,27 @@ this package, and must be able to do so, and keep their geometry, where the nati
 """
 
 _NUMERIC_API = (
+    "AxialStiffness",
+    "Certificate",
+    "CoveringWeight",
+    "Fixed",
     "InvalidInput",
     "Lattice",
+    "LengthMatching",
+    "MemberWeight",
     "Net",
+    "OnLine",
+    "OnPlane",
+    "PointLoad",
+    "Report",
+    "Result",
+    "Scene",
+    "Snow",
+    "Solver",
+    "certify",
     "lattice",
+    "solve",
+    "solve_matching_lengths",
 )
 
 __all__ = list(_NUMERIC_API)

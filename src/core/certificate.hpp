@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "scene.hpp"
+#include "types.hpp"
+
+#include <string>
+#include <vector>
+
+namespace funicular {
+
+/// What an independent recomputation says of a shape. SI units, in the sense of the built structure.
+///
+/// Recomputed from the net's nodes, the parts of the scene as they were described, and this file's own formulas; it includes
+/// nothing of the solver. It is not a proof that the structure is safe: members are straight bars on pin joints here.
+struct Certificate {
+    /// In equilibrium, and no member in tension.
+    bool compression_only = false;
+    /// The residual is within the tolerance, or within what rounding lets one tell.
+    bool in_equilibrium = false;
+    std::vector<Index> tension_members;
+    /// Largest tension [N]; zero if there is none.
+    double worst_tension = 0;
+    /// Members that carry nothing: they can be left out.
+    std::vector<Index> slack_members;
+    /// max |r_i| / mean nodal load
+    double max_residual = 0;
+    double tolerance = 0;
+    /// |sum of reactions + sum of loads| / sum of |loads|
+    double balance = 0;
+    /// The same of their moments about the net's centre, over (sum of |loads| x size).
+    double moment_balance = 0;
+    Vector3 total_load = Vector3::Zero();   ///< [N]
+    Vector3 reaction_sum = Vector3::Zero(); ///< [N]
+
+    /// One sentence for a person.
+    [[nodiscard]] std::string summary() const;
+};
+
+/// \param centred_nodes shape relative to the net's centre [m]
+/// \param reactions     of the built structure [N], whose balance with the loads is certified; recomputed if null
+/// \param tolerance     relative residual up to which it counts as equilibrium
+/// \throws InvalidInput if the shape does not fit the scene's net
+[[nodiscard]] Certificate certify(const Scene &scene, const Points &centred_nodes, const Points *reactions, double tolerance);
+
+} // namespace funicular

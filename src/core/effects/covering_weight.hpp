@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "effects/effect.hpp"
+#include "net.hpp"
+#include "scale.hpp"
+#include "scene_parts.hpp"
+
+namespace funicular {
+
+/// wA g A of each panel, A its present area, shared among its corners (paper section 4.1).
+class CoveringLoads final : public Effect {
+  public:
+    /// \throws InvalidInput for a weight that is negative or not finite.
+    CoveringLoads(const Net &net, const CoveringWeight &description, const Scale &scale);
+
+    [[nodiscard]] std::string_view name() const override { return "covering_weight"; }
+    void add_forces(const Points &x, Points &forces) const override;
+    void couple(Coupling &coupling) const override;
+    void add_tangent(const Points &x, BlockMatrix &tangent) const override;
+
+  private:
+    const Net &net_;
+    CornerShare share_;
+    double weight_; ///< per area
+};
+
+} // namespace funicular

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "block_matrix.hpp"
+#include "types.hpp"
+
+#include <cstddef>
+#include <string_view>
+
+namespace funicular {
+
+/// One cause of nodal forces, in the scene's own units and in the sense of form finding: members pull, gravity is turned
+/// round. Holds what it needs of the scene and nothing that changes, so that several threads may share it.
+class Effect {
+  public:
+    Effect() = default;
+    Effect(const Effect &) = delete;
+    Effect &operator=(const Effect &) = delete;
+    virtual ~Effect() = default;
+
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    /// Whether the forces are loads, which carry weight, rather than what resists them.
+    [[nodiscard]] virtual bool is_load() const { return true; }
+    /// Adds the force on every node at x.
+    virtual void add_forces(const Points &x, Points &forces) const = 0;
+    /// Names the pairs of nodes whose force depends on one another's position.
+    virtual void couple(Coupling &coupling) const = 0;
+    /// Adds minus the derivative of the forces by the positions. It need not be symmetric.
+    virtual void add_tangent(const Points &x, BlockMatrix &tangent) const = 0;
+    /// Memory that this effect holds.
+    [[nodiscard]] virtual std::size_t bytes() const { return 0; }
+};
+
+} // namespace funicular

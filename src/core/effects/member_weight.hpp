@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "effects/effect.hpp"
+#include "net.hpp"
+#include "scale.hpp"
+#include "scene_parts.hpp"
+
+namespace funicular {
+
+/// ½ wL g l on each end of each member, l its present length (paper section 3.3).
+class MemberLoads final : public Effect {
+  public:
+    /// \throws InvalidInput for a weight that is negative or not finite.
+    MemberLoads(const Net &net, const MemberWeight &description, const Scale &scale);
+
+    [[nodiscard]] std::string_view name() const override { return "member_weight"; }
+    void add_forces(const Points &x, Points &forces) const override;
+    void couple(Coupling &coupling) const override;
+    void add_tangent(const Points &x, BlockMatrix &tangent) const override;
+
+  private:
+    const Net &net_;
+    double half_weight_;
+};
+
+} // namespace funicular

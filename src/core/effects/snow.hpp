@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "effects/effect.hpp"
+#include "net.hpp"
+#include "scale.hpp"
+#include "scene_parts.hpp"
+
+namespace funicular {
+
+/// A pressure on each panel's area in plan. Each triangle between an edge and the mean of the corners gives a third of its
+/// load to each of its points, the mean's third going to all corners alike: force and moments are those of the pressure.
+class SnowLoads final : public Effect {
+  public:
+    /// \throws InvalidInput for a pressure that is negative or not finite.
+    SnowLoads(const Net &net, const Snow &description, const Scale &scale);
+
+    [[nodiscard]] std::string_view name() const override { return "snow"; }
+    void add_forces(const Points &x, Points &forces) const override;
+    void couple(Coupling &coupling) const override;
+    void add_tangent(const Points &x, BlockMatrix &tangent) const override;
+
+  private:
+    const Net &net_;
+    double pressure_;
+};
+
+} // namespace funicular

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene.hpp"
+
+#include "effects/axial.hpp"
+#include "effects/covering_weight.hpp"
+#include "effects/member_weight.hpp"
+#include "effects/point_load.hpp"
+#include "effects/snow.hpp"
+#include "errors.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace funicular {
+
+namespace {
+
+bool is_absent(const AxialStiffness & /*effect*/) { return false; }
+bool is_absent(const MemberWeight &effect) { return effect.per_length == 0; }
+bool is_absent(const CoveringWeight &effect) { return effect.per_area == 0; }
+bool is_absent(const PointLoad &effect) { return effect.nodes.empty() || effect.force == Vector3::Zero(); }
+bool is_absent(const Snow &effect) { return effect.pressure == 0; }
+
+std::shared_ptr<const Net> existing(std::shared_ptr<const Net> net) {
+    if (!net)
+        throw InvalidInput("net is missing: give a Net");
+    return net;
+}
+
+Eigen::VectorXd checked_rest_lengths(const Net &net, std::optional<Eigen::VectorXd> given) {
+    if (!given)
+        return net.source_lengths();
+    if (given->size() != net.member_count())
+        throw InvalidInput("rest_lengths has " + std::to_string(given->size()) + " values, but the net has " +
+                           std::to_string(net.member_count()) + " members");
+    for (Index e = 0; e < given->size(); ++e)
+        if (!((*given)[e] >= 0) || !std::isfinite((*given)[e]))
+            throw InvalidInput("rest_lengths[" + std::to_string(e) + "] must be zero or positive and finite, in metres");
+    return *std::move(given);
+}
+
+/// A rough nodal load [N], for the unit of force; no geometry is computed for it that the effects would not need.
+double rough_nodal_load(const Net &net, const std::vector<EffectDescription> &effects) {
+    double load = 0;
+    double stiffest = 0;
+    for (const auto &effect : effects) {
+        if (const auto *members = std::get_if<MemberWeight>(&effect))
+            load += standard_gravity * members->per_length * net.source_lengths().sum();
+        else if (const auto *covering = std::get_if<CoveringWeight>(&effect))
+            load += standard_gravity * covering->per_area * net.size() * net.size();
+        else if (const auto *snow = std::get_if<Snow>(&effect))
+            load += snow->pressure * net.size() * net.size();
+        else if (const auto *point = std::get_if<PointLoad>(&effect))
+            load += point->force.norm() * static_cast<double>(point->nodes.size());
+        else if (const auto *axial = std::get_if<AxialStiffness>(&effect); axial && axial->stiffness.size() > 0)
+            stiffest = axial->stiffness.maxCoeff();
+    }
+    // Without loads the members pull on one another only.
+    const double rough = load > 0 ? load / net.node_count() : stiffest;
+    return std::isfinite(rough) && rough > 0 ? rough : 1;
+}
+
+} // namespace
+
+Scene::Scene(std::shared_ptr<const Net> net, std::vector<Support> supports, std::vector<EffectDescription> effects,
+             std::optional<Eigen::VectorXd> rest_lengths)
+    : net_(existing(std::move(net))), supports_(std::move(supports)),
+      rest_lengths_(checked_rest_lengths(*net_, std::move(rest_lengths))),
+      scale_{.origin = net_->centre(), .length = power_of_two_above(net_->size()),
+             .force = power_of_two_above(rough_nodal_load(*net_, effects))},
+      freedoms_(*net_, supports_) {
+    check_every_component_is_held(*net_, supports_);
+
+    for (const auto &effect : effects) {
+        if (std::visit([](const auto &part) { return is_absent(part); }, effect))
+            continue;
+        descriptions_.push_back(effect);
+        if (const auto *axial = std::get_if<AxialStiffness>(&effect)) {
+            if (axial_)
+                throw InvalidInput("effects: AxialStiffness is given twice; members have one stiffness");
+            axial_ = std::make_shared<const AxialForces>(*net_, *axial, rest_lengths_, scale_);
+            acting_.insert(acting_.begin(), axial_);
+        } else if (const auto *members = std::get_if<MemberWeight>(&effect)) {
+            acting_.push_back(std::make_shared<const MemberLoads>(*net_, *members, scale_));
+        } else if (const auto *covering = std::get_if<CoveringWeight>(&effect)) {
+            acting_.push_back(std::make_shared<const CoveringLoads>(*net_, *covering, scale_));
+        } else if (const auto *point = std::get_if<PointLoad>(&effect)) {
+            acting_.push_back(std::make_shared<const PointLoads>(*net_, *point, scale_));
+        } else if (const auto *snow = std::get_if<Snow>(&effect)) {
+            acting_.push_back(std::make_shared<const SnowLoads>(*net_, *snow, scale_));
+        }
+    }
+    if (!axial_)
+        throw InvalidInput("effects: AxialStiffness is missing; members without stiffness cannot carry");
+
+    const Points anchors = scale_.to_local(net_->nodes());
+    for (const Support &support : supports_) {
+        if (std::isinf(support.stiffness) || support.stiffness == 0)
+            continue;
+        const Matrix3 stiffness = support.stiffness * scale_.length / scale_.force * held_directions(support);
+        for (const Index node : support.nodes)
+            elastic_supports_.push_back({node, stiffness, anchors.row(node).transpose()});
+    }
+}
+
+Scene Scene::with_stiffness_factor(double factor) const {
+    auto effects = descriptions_;
+    for (auto &effect : effects)
+        if (auto *axial = std::get_if<AxialStiffness>(&effect))
+            axial->stiffness *= factor;
+    return {net_, supports_, std::move(effects), rest_lengths_};
+}
+
+} // namespace funicular

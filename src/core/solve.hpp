@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "method.hpp"
+#include "result.hpp"
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace funicular {
+
+struct SolveOptions {
+    double accuracy = 1e-3;  ///< largest position error [m]
+    double tolerance = 1e-6; ///< largest relative residual
+    Method method = Method::automatic;
+    double max_seconds = std::numeric_limits<double>::infinity();
+    /// Not given: 1000 Newton steps, 10 million of relaxation.
+    std::optional<long> max_iterations;
+    /// Shape to begin with [m], brought onto the supports; the source net if not given.
+    std::optional<Points> start;
+    /// Told of every Newton step, and of the relaxation every 10 ms; returning false cancels.
+    std::function<bool(const Report &)> on_progress;
+};
+
+/// The one loop of form finding, which can be left and entered again between iterations.
+class Solver {
+  public:
+    /// \throws InvalidInput for an accuracy, tolerance, limit or start that cannot be meant.
+    Solver(std::shared_ptr<const Scene> scene, SolveOptions options = {});
+
+    /// Goes on for at most this time, give or take an iteration.
+    /// \returns whether the solve has ended
+    bool advance(double max_seconds = std::numeric_limits<double>::infinity());
+    /// Goes on from the present shape with another scene, which must have as many nodes.
+    /// \throws InvalidInput for another number of nodes
+    void replace(std::shared_ptr<const Scene> scene);
+    /// The latest shape [m]; may be asked from another thread at any time.
+    [[nodiscard]] Points nodes() const;
+    [[nodiscard]] Result result() const;
+
+  private:
+    void begin(const Points &local_start);
+    void use(Method method);
+    void publish();
+    bool told(const Report &report);
+    bool end(Status status, std::string message);
+    bool end_if_decided();
+    bool make_move();
+    [[nodiscard]] double seconds() const;
+
+    std::shared_ptr<const Scene> scene_;
+    SolveOptions options_;
+    Goal goal_;
+    std::unique_ptr<Equilibrium> equilibrium_;
+    std::unique_ptr<Iteration> iteration_;
+    Method method_ = Method::newton;
+    Points x_;
+    Report report_;
+    bool is_measured_ = false;
+    std::optional<Status> status_;
+    std::string message_;
+    double seconds_before_ = 0;
+    std::optional<double> entered_;
+    double last_told_ = -std::numeric_limits<double>::infinity();
+    std::vector<Report> history_;
+    long history_stride_ = 1;
+
+    mutable std::mutex published_guard_;
+    Points published_;
+};
+
+/// Solves a scene: the form in which it stands in equilibrium.
+[[nodiscard]] Result solve(std::shared_ptr<const Scene> scene, SolveOptions options = {});
+
+} // namespace funicular
