@@ -3,9 +3,9 @@
 
     /usr/bin/python3 tools/freecad_run.py script.py [argument …]
 
-`freecadcmd script.py` exits 0 after an uncaught exception, runs the body twice then, takes further arguments
-for files to open and, from 1.0 on, drops buffered output on `sys.exit`. So freecadcmd is given this file, which
-finds the script and its arguments in the environment, runs it once and leaves with its exit code.
+`freecadcmd script.py` exits 0 after an uncaught exception, runs the body twice then, takes further
+arguments for files to open and, from 1.0 on, drops buffered output on `sys.exit`. So freecadcmd is given this
+file, which finds script and arguments in the environment, runs it once and leaves with its exit code.
 
 FREECADCMD names the program when it is not on the PATH as `freecadcmd` or `FreeCADCmd`.
 """

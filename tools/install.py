@@ -8,6 +8,7 @@
 import os
 import shutil
 import sys
+import tempfile
 
 import FreeCAD as App
 
@@ -23,8 +24,8 @@ def parts():
     return modules + ["package.xml", "LICENSE", "README.md", "Resources", os.path.join("src", "freecad_wb")]
 
 
-def clear_target():
-    """Remove an earlier copy, and nothing that we did not put there."""
+def check_target():
+    """Refuse to replace anything but an earlier copy."""
     if os.path.islink(TARGET):
         sys.exit(f"{TARGET} is a link to {os.readlink(TARGET)}: remove it first, then install again.")
     if not os.path.exists(TARGET):
@@ -36,20 +37,25 @@ def clear_target():
         ours = False
     if not ours:
         sys.exit(f"{TARGET} holds something else than this workbench: move it away, then install again.")
-    shutil.rmtree(TARGET)
 
 
 def copy_addon():
     if not any(name.startswith("_core.") for name in os.listdir(os.path.join(CHECKOUT, PACKAGE))):
         sys.exit("The compiled module is missing: run `make build` first.")
-    clear_target()
-    for part in parts():
-        source, target = os.path.join(CHECKOUT, part), os.path.join(TARGET, part)
-        if os.path.isdir(source):
-            shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
-        else:
-            os.makedirs(os.path.dirname(target), exist_ok=True)
-            shutil.copy2(source, target)
+    check_target()
+    # An interrupted copy must not leave half a workbench behind.
+    os.makedirs(os.path.dirname(TARGET), exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=App.getUserAppDataDir()) as staging:
+        for part in parts():
+            source, target = os.path.join(CHECKOUT, part), os.path.join(staging, "new", part)
+            if os.path.isdir(source):
+                shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
+            else:
+                os.makedirs(os.path.dirname(target), exist_ok=True)
+                shutil.copy2(source, target)
+        if os.path.exists(TARGET):
+            os.rename(TARGET, os.path.join(staging, "old"))
+        os.rename(os.path.join(staging, "new"), TARGET)
     print(f"Installed in {TARGET}; FreeCAD shows the workbench after its next start.")
 
 
