@@ -34,10 +34,11 @@ def document(workbench):
     view = Gui.ActiveDocument.ActiveView
     view.setAnimationEnabled(False)
     clear_report_view()
+    name = document.Name
     yield document
     close_panel()
-    if document.Name in App.listDocuments():
-        App.closeDocument(document.Name)
+    if name in App.listDocuments():
+        App.closeDocument(name)
     settle()
 
 

@@ -106,9 +106,17 @@ def command_action():
     return action
 
 
+def press_key(widget, key, text=""):
+    """Press a key, which may be the last that `widget` sees."""
+    event = QtGui.QKeyEvent(QtCore.QEvent.KeyPress, key, QtCore.Qt.NoModifier, text)
+    QtWidgets.QApplication.sendEvent(widget, event)
+
+
 def send_key(widget, key, text=""):
-    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-        QtWidgets.QApplication.sendEvent(widget, QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, text))
+    """Press a key and let it go."""
+    press_key(widget, key, text)
+    event = QtGui.QKeyEvent(QtCore.QEvent.KeyRelease, key, QtCore.Qt.NoModifier, text)
+    QtWidgets.QApplication.sendEvent(widget, event)
 
 
 def type_into(widget, text):

@@ -73,6 +73,8 @@ def make_input(obj, name, on_change, on_error):
     else:
         widget = _quantity(obj, name, on_change)
     widget.setObjectName(name)
+    # The task panel is as wide as its user made it.
+    widget.setMinimumWidth(60)
     documentation = translate(obj.getDocumentationOfProperty(name), "App::Property")
     widget.setToolTip(documentation)
     widget.setStatusTip(documentation)
@@ -83,6 +85,8 @@ def _choice(obj, name, on_change):
     widget = QtWidgets.QComboBox()
     choices = obj.getEnumerationsOfProperty(name)
     widget.addItems(choices)
+    widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+    widget.setMinimumContentsLength(8)
     widget.setCurrentIndex(choices.index(getattr(obj, name)))
     widget.currentIndexChanged.connect(lambda index: on_change(choices[index]))
     return widget

@@ -39,7 +39,9 @@ class ResultLine(QtWidgets.QLabel):
         self.setWordWrap(True)
         self.setTextFormat(QtCore.Qt.PlainText)
         self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        # Room for three lines, so that the inputs below do not jump, and as narrow as the panel's own width.
         self.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
+        self.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.MinimumExpanding)
         self.setAlignment(QtCore.Qt.AlignTop | QtCore.Qt.AlignLeft)
 
     def say(self, kind, sentence):
@@ -123,6 +125,7 @@ class GridshellPanel:
         form.setWindowTitle(translate("Gridshell"))
         form.setWindowIcon(QtGui.QIcon(icon("Funicular_Gridshell")))
         column = QtWidgets.QVBoxLayout(form)
+        column.setContentsMargins(0, 0, 0, 0)
         self.line = ResultLine()
         column.addWidget(self.line)
         owners = {"Gridshell": self._shell, "Net": self._shell.Net}
@@ -130,6 +133,7 @@ class GridshellPanel:
             box = QtWidgets.QGroupBox(translate(heading))
             layout = QtWidgets.QFormLayout(box)
             layout.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
+            layout.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
             for owner, name, label in rows:
                 if owners[owner] is not None:
                     widget = make_input(owners[owner], name, self._setter(owners[owner], name), self._unread)
@@ -154,15 +158,18 @@ class GridshellPanel:
         return set_property
 
     def _unread(self, sentence):
+        # Half-typed values are unreadable too: the sentence waits for the pause, as the solver does.
         self._unreadable = sentence
-        self._pause.stop()
-        self.line.say(WRONG, sentence)
+        self._pause.start()
 
     # What follows
 
     def recompute(self):
         """Solve with what the properties say now, and show what came of it."""
         if self._shell is None:
+            return
+        if self._unreadable:
+            self.line.say(WRONG, self._unreadable)
             return
         self.line.say(("…", "palette(text)"), translate("Solving"))
         self.line.repaint()

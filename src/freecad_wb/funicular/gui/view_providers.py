@@ -20,6 +20,8 @@ class ViewProvider:
     icon_name = ""
 
     def __init__(self, vobj):
+        # FreeCAD calls attach() only for the first proxy that an object gets.
+        self.vobj = vobj
         self.add_properties(vobj)
         vobj.Proxy = self
 
@@ -30,6 +32,9 @@ class ViewProvider:
     def attach(self, vobj):
         self.vobj = vobj
         self.add_properties(vobj)
+
+    def refresh(self, vobj):
+        """Bring the picture up to the object's results; there is nothing but the shape unless a subclass adds it."""
 
     def getIcon(self):
         return icon(self.icon_name)
@@ -67,6 +72,10 @@ class ViewProviderGridshell(ViewProvider):
 
     icon_name = "Funicular_Gridshell"
 
+    def __init__(self, vobj):
+        super().__init__(vobj)
+        vobj.LineWidth = LINE_WIDTH
+
     def add_properties(self, vobj):
         group = "Gridshell"
         for name, documentation in (
@@ -76,7 +85,6 @@ class ViewProviderGridshell(ViewProvider):
             if name not in vobj.PropertiesList:
                 vobj.addProperty("App::PropertyBool", name, group, documentation)
                 setattr(vobj, name, True)
-                vobj.LineWidth = LINE_WIDTH
 
     def claimChildren(self):
         net = self.vobj.Object.Net
@@ -91,7 +99,6 @@ class ViewProviderGridshell(ViewProvider):
             self.refresh(vobj)
 
     def refresh(self, vobj):
-        """Bring the members' colours and the legend up to the object's results."""
         obj = vobj.Object
         # Properties arrive one at a time while a file is restored.
         if not all(name in vobj.PropertiesList for name in ("ColourByForce", "ShowLegend")):
@@ -115,6 +122,9 @@ class ViewProviderGridshell(ViewProvider):
 
     def doubleClicked(self, vobj):
         document = vobj.Object.Document
+        if FreeCADGui.Control.activeDialog():
+            # Opening a transaction would commit the one of the panel that is open.
+            return True
         document.openTransaction(translate("Edit gridshell"))
         FreeCADGui.getDocument(document.Name).setEdit(vobj.Object.Name)
         return True
@@ -145,7 +155,7 @@ def attach_view_provider(obj):
     vobj = obj.ViewObject
     kind = VIEW_PROVIDERS[obj.FunicularType]
     if not isinstance(vobj.Proxy, kind):
-        kind(vobj)
+        kind(vobj).refresh(vobj)
 
 
 class DocumentObserver:
@@ -169,7 +179,6 @@ class DocumentObserver:
 def _refresh_gridshells(document):
     for obj in document.Objects:
         if getattr(obj, "FunicularType", "") == "Gridshell":
-            attach_view_provider(obj)
             obj.ViewObject.Proxy.refresh(obj.ViewObject)
 
 
