@@ -93,6 +93,9 @@ class Feature:
         try:
             self.compute(obj)
         except (ValueError, ImportError) as error:
+            # FreeCAD would skip what depends on this object and call it up to date.
+            for dependent in obj.InList:
+                dependent.touch()
             # FreeCAD marks the object Invalid, keeps the sentence as its status and shows it in the report
             # view, where the chain behind it would only bury it.
             raise RuntimeError(f"{obj.Label}: {error}") from None

@@ -134,7 +134,7 @@ class Gridshell(Feature):
             scene = scene_of(obj)
             scene, result = _solve(obj, scene)
             if result.status != "converged":
-                raise fn.InvalidInput(result.message)
+                raise fn.InvalidInput(_complaint(result))
         except (ValueError, ImportError) as error:
             # The last good shape and numbers stay, but nothing may take them for those of this scene.
             obj.Status = "failed"
@@ -212,6 +212,20 @@ def _solve(obj, scene):
             return scene, fn.solve(scene, on_progress=progress, **options)
         matched = fn.solve_matching_lengths(scene, rounds=obj.LengthMatching, on_progress=progress, **options)
         return matched.scene, matched.result
+
+
+# What a user can turn where the solver did not arrive.
+PROPERTIES_TO_CHANGE = {
+    "time_limit": "MaxSeconds, Accuracy",
+    "iteration_limit": "Method, Accuracy",
+    "no_equilibrium": "AxialStiffness, the weights",
+}
+
+
+def _complaint(result):
+    if result.status == "cancelled":
+        return "the solve was cancelled and the last good shape stays; recompute to solve again"
+    return f"{result.message} Properties to change: {PROPERTIES_TO_CHANGE[result.status]}."
 
 
 def _write(obj, scene, result, certificate):
