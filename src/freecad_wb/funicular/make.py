@@ -179,7 +179,7 @@ def _one_undo_step(doc, name):
     """Everything inside is one undo step; an exception takes all of it back."""
     before = {obj.Name for obj in doc.Objects}
     # Opening a transaction would close one that the caller has opened.
-    own = doc.UndoMode and not doc.HasPendingTransaction
+    own = doc.UndoMode and App.getActiveTransaction() is None
     if own:
         doc.openTransaction(name)
     try:
@@ -188,7 +188,7 @@ def _one_undo_step(doc, name):
         for added in reversed([obj.Name for obj in doc.Objects if obj.Name not in before]):
             doc.removeObject(added)
         if own:
-            doc.abortTransaction()
+            App.closeActiveTransaction(True)
         raise
     if own:
-        doc.commitTransaction()
+        App.closeActiveTransaction()

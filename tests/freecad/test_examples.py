@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The examples, their pictures and their meshes."""
+
+import FreeCAD as App
+import dome as dome_example
+import matplotlib.image
+import numpy as np
+import pytest
+import roof as roof_example
+
+import funicular as fn
+from documents import array, recompute
+from funicular.export import export_gridshell, lattice_of
+from funicular.features.net import net_of
+from funicular.files import read_mesh
+from funicular.make import make_gridshell
+from funicular.picture import save_picture
+
+EXAMPLES = {"dome": dome_example, "roof": roof_example}
+
+
+@pytest.fixture(params=EXAMPLES)
+def example(request, doc):
+    shell = EXAMPLES[request.param].build(doc)
+    assert recompute(doc) == {}
+    return shell
+
+
+def test_examples_stand_in_compression(example):
+    assert example.Status == "converged"
+    assert example.CompressionOnly and list(example.TensionMembers) == []
+    assert example.PositionError.getValueAs("mm").Value < 1.0
+    assert example.ReactionSum.Value == pytest.approx(example.TotalWeight.Value, rel=1e-6)
+
+
+def test_the_dome_is_round(doc):
+    shell = dome_example.build(doc)
+    nodes = array(shell.NodePositions)
+    radius, height = np.hypot(nodes[:, 0], nodes[:, 1]), nodes[:, 2]
+    for ring in np.unique(np.round(height, 3)):
+        assert np.ptp(radius[np.abs(height - ring) < 0.01]) < 0.01
+    assert radius.max() == pytest.approx(dome_example.SPAN / 2, rel=1e-9)
+    assert shell.Net.Poles == ["v_max"] and shell.Net.ClosedU
+
+
+def test_the_roof_stands_on_its_corners_and_its_borders_stay_in_their_planes(doc):
+    shell = roof_example.build(doc)
+    nodes, reactions = array(shell.NodePositions), array(shell.Reactions)
+    lattice = net_of(shell.Net).lattice
+    corners = sorted(lattice.corners)
+    upwards = np.flatnonzero(np.abs(reactions[:, 2]) > 1e-6)
+    assert upwards.tolist() == corners
+    for side, axis, value in (
+        ("u_min", 0, 0.0),
+        ("u_max", 0, roof_example.LENGTH),
+        ("v_min", 1, 0.0),
+        ("v_max", 1, roof_example.WIDTH),
+    ):
+        np.testing.assert_allclose(nodes[lattice.sides[side], axis], value, atol=1e-6)
+        # A plane holds at right angles to itself only.
+        assert np.abs(reactions[lattice.sides[side][1:-1], 1 - axis]).max() < 1e-6
+
+
+def test_export_is_the_relaxed_lattice_in_metres(example, tmp_path):
+    example.Placement.Base = App.Vector(1000, 0, 0)
+    path = tmp_path / "shell.obj"
+    export_gridshell(example, path)
+    nodes, members, panels = read_mesh(path)
+    np.testing.assert_allclose(nodes, array(example.NodePositions) / 1000 + [1, 0, 0], atol=1e-12)
+    np.testing.assert_array_equal(members, net_of(example.Net).members)
+    assert tuple(map(tuple, panels)) == net_of(example.Net).panels
+
+
+def test_nothing_to_export_before_the_first_result(doc, box, tmp_path):
+    shell = make_gridshell(doc, source=(box, "Face6"))
+    with pytest.raises(fn.InvalidInput, match="has no nodes|recompute it first"):
+        lattice_of(shell)
+    shell.Net.recompute()
+    with pytest.raises(fn.InvalidInput, match="Gridshell has no result for its net: recompute it first"):
+        export_gridshell(shell, tmp_path / "shell.obj")
+    assert not (tmp_path / "shell.obj").exists()
+
+
+def test_the_picture_shows_the_forces(example, tmp_path):
+    path = tmp_path / "shell.png"
+    save_picture(example, path)
+    picture = matplotlib.image.imread(path)[:, :, :3]
+    assert picture.shape[0] > 1000 and picture.shape[1] > 1500
+    blues = (picture[:, :, 2] > picture[:, :, 0] + 0.25).mean()
+    oranges = (picture[:, :, 0] > picture[:, :, 2] + 0.35).mean()
+    assert blues > 0.005
+    assert oranges < 1e-4
+
+
+def test_tension_is_orange_in_the_picture(doc, tmp_path):
+    sphere = doc.addObject("Part::Sphere", "Sphere")
+    sphere.Radius, sphere.Angle1 = 10000, 0
+    doc.recompute()
+    shell = make_gridshell(
+        doc, source=(sphere, ["Face1"]), StepU="2 m", StepV="2 m", AxialStiffness="100 MN", AllowTension=True
+    )
+    assert recompute(doc) == {} and not shell.CompressionOnly
+    save_picture(shell, tmp_path / "shell.png")
+    picture = matplotlib.image.imread(tmp_path / "shell.png")[:, :, :3]
+    assert (picture[:, :, 0] > picture[:, :, 2] + 0.35).mean() > 0.005
