@@ -16,7 +16,7 @@ RISE = 5000.0
 
 
 def build(doc):
-    """Put the face, its net and the gridshell into a document; the gridshell is returned after a recompute."""
+    """Put the face, its net and the gridshell into a document, recompute it, return the gridshell."""
     radius = (SPAN**2 / 4 + RISE**2) / (2 * RISE)
     latitude = math.degrees(math.asin((radius - RISE) / radius))
     cap = Part.makeSphere(radius, App.Vector(), App.Vector(0, 0, 1), latitude, 90, 360).Faces[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A free-form roof of 30 m by 20 m: a B-spline face that stands on its four corners, each border in its vertical plane.
+"""A free-form roof of 30 m by 20 m: a B-spline face on four corner supports, its borders in vertical planes.
 
 Inside FreeCAD: run this file as a macro. Without a window: `make demo`.
 """
@@ -23,7 +23,7 @@ WIDTH = 20000.0
 
 
 def build(doc):
-    """Put the face, its net and the gridshell into a document; the gridshell is returned after a recompute."""
+    """Put the face, its net and the gridshell into a document, recompute it, return the gridshell."""
     rows, columns = len(HEIGHTS) - 1, len(HEIGHTS[0]) - 1
     surface = Part.BSplineSurface()
     surface.interpolate(
@@ -41,7 +41,7 @@ def build(doc):
         StepV="1 m",
         MemberWeight="12 kg/m",
         CoveringWeight="30 kg/m^2",
-        AxialStiffness="400 kN",
+        AxialStiffness="800 kN",
         SupportRecipe="Corners and border planes",
     )
     shell.Label = "Roof"

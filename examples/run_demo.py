@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Build both examples without a window; documents, meshes and pictures go to build/demo/, a table to the terminal.
+"""Build both examples without a window: documents, meshes and pictures in build/demo/, a table on stdout.
 
 Leaves with an error unless every gridshell has converged and is compression-only.
 """

@@ -26,7 +26,7 @@ def lattice_of(shell):
 def export_gridshell(shell, path):
     """Write the relaxed lattice to a mesh file in metres; the suffix of the path chooses the format.
 
-    .obj and .ply hold nodes, members and panels; .stl and .off hold panels. Raises InvalidInput if there is no
-    result, ValueError for another suffix, OSError if the file cannot be written.
+    .obj and .ply hold nodes, members and panels; .stl and .off hold panels. Raises InvalidInput if there is
+    no result, ValueError for another suffix, OSError if the file cannot be written.
     """
     write_mesh(path, *lattice_of(shell))

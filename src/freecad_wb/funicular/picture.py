@@ -13,13 +13,16 @@ from .gui.colours import ForceScale
 PAPER = "#f4f3ef"
 INK = "#22262b"
 QUIET = "#6b7178"
-SHADOW = "#e4e4df"
-PANEL = (1.0, 1.0, 1.0, 0.45)
+SHADOW = "#dfddd6"
+PANEL = (1.0, 1.0, 1.0, 0.5)
 INCHES = (14.0, 8.5)
 DOTS_PER_INCH = 160
 
 # Distance of the eye from the middle, in diagonals of the gridshell: depth without distortion.
 EYE = 3.0
+
+# How much nearer than its panels a member counts, in the same measure.
+IN_FRONT = 0.02
 
 
 def save_picture(shell, path, azimuth=-62.0, elevation=24.0):
@@ -32,10 +35,15 @@ def save_picture(shell, path, azimuth=-62.0, elevation=24.0):
     scale = ForceScale(shell.MemberForces, shell.TensionMembers)
     figure = Figure(figsize=INCHES, dpi=DOTS_PER_INCH, facecolor=PAPER)
     FigureCanvasAgg(figure)
-    _draw_shell(
-        figure.add_axes([0.02, 0.02, 0.83, 0.82]), shell, scale, nodes, members, panels, azimuth, elevation
-    )
-    _draw_legend(figure.add_axes([0.895, 0.16, 0.018, 0.56]), scale)
+    view = _View(nodes, azimuth, elevation)
+    axes = figure.add_axes([0.02, 0.02, 0.83, 0.82])
+    _draw_ground(axes, view, nodes, members)
+    _draw_lattice(axes, view, nodes, members, panels, scale.member_colours())
+    _draw_supports(axes, view.flat(nodes), np.array([tuple(reaction) for reaction in shell.Reactions]))
+    axes.set_aspect("equal")
+    axes.margins(0.03)
+    axes.axis("off")
+    _draw_legend(figure.add_axes([0.858, 0.17, 0.018, 0.55]), scale)
     figure.text(0.035, 0.945, shell.Label, size=21, weight="bold", color=INK, va="center")
     figure.text(0.035, 0.903, result_line(shell), size=13, color=INK, va="center")
     figure.text(0.035, 0.868, _measures(shell, nodes, members), size=11.5, color=QUIET, va="center")
@@ -44,31 +52,33 @@ def save_picture(shell, path, azimuth=-62.0, elevation=24.0):
 
 def _measures(shell, nodes, members):
     width, depth, rise = np.ptp(nodes, axis=0)
-    return (
-        f"{width:.1f} m × {depth:.1f} m on plan, {rise:.1f} m high    {len(nodes)} nodes, {len(members)} members"
-        f"    {shell.TotalWeight.getValueAs('kN').Value:.1f} kN in all"
+    return "   ·   ".join(
+        (
+            f"{width:.1f} m × {depth:.1f} m on plan, {rise:.1f} m high",
+            f"{len(nodes)} nodes, {len(members)} members",
+            f"{shell.TotalWeight.getValueAs('kN').Value:.1f} kN in all",
+        )
     )
 
 
-def _draw_shell(axes, shell, scale, nodes, members, panels, azimuth, elevation):
-    view = _View(nodes, azimuth, elevation)
+def _draw_ground(axes, view, nodes, members):
+    """The plan of the gridshell at the height of its lowest node: what tells the eye how it stands."""
     ground = nodes.copy()
     ground[:, 2] = nodes[:, 2].min()
-    on_ground = view.flat(ground)
-    axes.add_collection(LineCollection(on_ground[members], colors=SHADOW, linewidths=0.8, zorder=1))
+    axes.add_collection(LineCollection(view.flat(ground)[members], colors=SHADOW, linewidths=0.8, zorder=1))
 
+
+def _draw_lattice(axes, view, nodes, members, panels, colours):
     flat, depth = view.flat(nodes), view.depth(nodes)
-    # One list from back to front, so that what is near covers what is far.
-    far_to_near = sorted(
-        [(depth[list(panel)].mean(), flat[list(panel)], PANEL, "none", 0.0) for panel in panels]
-        + [
-            # A member lies in front of the panels that it bounds.
-            (depth[member].mean() + 1e-3 * view.size, flat[member], "none", colour, 2.1)
-            for member, colour in zip(members, scale.member_colours())
-        ],
-        key=lambda item: item[0],
-    )
-    _, shapes, faces, edges, widths = zip(*far_to_near)
+    # One list from back to front, so that what is near veils what is far.
+    items = [(depth[list(panel)].mean(), flat[list(panel)], PANEL, "none", 0.0) for panel in panels]
+    # A member lies in front of the panels that it bounds.
+    in_front = IN_FRONT * view.size
+    items += [
+        (depth[member].mean() + in_front, flat[member], "none", colour, 2.1)
+        for member, colour in zip(members, colours)
+    ]
+    _, shapes, faces, edges, widths = zip(*sorted(items, key=lambda item: item[0]))
     axes.add_collection(
         PolyCollection(
             shapes,
@@ -80,13 +90,21 @@ def _draw_shell(axes, shell, scale, nodes, members, panels, azimuth, elevation):
             zorder=2,
         )
     )
-    supported = np.linalg.norm([tuple(reaction) for reaction in shell.Reactions], axis=1) > 0.0
-    axes.scatter(*flat[supported].T, s=16, color=INK, linewidths=0, zorder=3)
-    axes.set_aspect("equal")
-    axes.autoscale_view()
-    axes.margins(0.03)
-    axes.axis("off")
-    axes.text(0.018, 0.03, "●  supported node", transform=axes.transAxes, size=11, color=QUIET, va="bottom")
+
+
+def _draw_supports(axes, flat, reactions):
+    size = np.linalg.norm(reactions, axis=1)
+    held = size > 0.0
+    stands = held & (np.abs(reactions[:, 2]) > 1e-6 * size.max())
+    sideways = held & ~stands
+    for nodes, text, style in (
+        (stands, "stands here", {"s": 26, "color": INK, "linewidths": 0}),
+        (sideways, "held sideways only", {"s": 11, "facecolor": PAPER, "edgecolor": INK, "linewidths": 0.8}),
+    ):
+        if nodes.any():
+            axes.scatter(*flat[nodes].T, zorder=3, label=text, **style)
+    if held.any():
+        axes.legend(loc="lower left", frameon=False, fontsize=11, labelcolor=QUIET, handletextpad=0.2)
 
 
 class _View:
@@ -123,6 +141,7 @@ def _draw_legend(axes, scale):
     for spine in axes.spines.values():
         spine.set_edgecolor(QUIET)
         spine.set_linewidth(0.6)
-    axes.text(0.0, 1.075, f"Member force [{scale.unit}]", size=12, weight="bold", color=INK)
-    axes.text(0.0, 1.03, "tension positive", size=10.5, color=QUIET)
-    axes.text(0.0, -0.045, "compression negative", size=10.5, color=QUIET)
+    axes.text(0.0, 1.085, f"Member force [{scale.unit}]", size=12, weight="bold", color=INK)
+    if scale.largest_tension > 0.0:
+        axes.text(0.0, 1.035, "tension +", size=10.5, color=QUIET)
+    axes.text(0.0, -0.055, "compression \u2212", size=10.5, color=QUIET)

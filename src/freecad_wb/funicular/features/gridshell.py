@@ -263,7 +263,9 @@ def _sentence(result, certificate):
             f"{len(certificate.tension_members)} of {len(result.member_forces)} members in tension, "
             f"at most {_force(certificate.worst_tension)}"
         )
-    return f"Converged, {result.position_error / METRES:.1g} mm from equilibrium; {forces}"
+    away = result.position_error / METRES
+    distance = f"{away:.2g} mm" if away >= 0.001 else "less than 0.001 mm"
+    return f"Converged, {distance} from equilibrium; {forces}"
 
 
 def _force(newtons):
