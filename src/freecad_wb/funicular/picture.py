@@ -74,8 +74,9 @@ def _draw_lattice(axes, view, nodes, members, panels, colours):
     items = [(depth[list(panel)].mean(), flat[list(panel)], PANEL, "none", 0.0) for panel in panels]
     # A member lies in front of the panels that it bounds.
     in_front = IN_FRONT * view.size
+    width = _shrunk(2.1, len(members))
     items += [
-        (depth[member].mean() + in_front, flat[member], "none", colour, 2.1)
+        (depth[member].mean() + in_front, flat[member], "none", colour, width)
         for member, colour in zip(members, colours)
     ]
     _, shapes, faces, edges, widths = zip(*sorted(items, key=lambda item: item[0]))
@@ -92,6 +93,11 @@ def _draw_lattice(axes, view, nodes, members, panels, colours):
     )
 
 
+def _shrunk(width, count):
+    """A line width that keeps the members of a fine net apart."""
+    return width * min(1.0, (1500 / count) ** 0.4)
+
+
 def _draw_supports(axes, flat, reactions):
     size = np.linalg.norm(reactions, axis=1)
     held = size > 0.0
@@ -99,7 +105,11 @@ def _draw_supports(axes, flat, reactions):
     sideways = held & ~stands
     for nodes, text, style in (
         (stands, "stands here", {"s": 26, "color": INK, "linewidths": 0}),
-        (sideways, "held sideways only", {"s": 11, "facecolor": PAPER, "edgecolor": INK, "linewidths": 0.8}),
+        (
+            sideways,
+            "held sideways only",
+            {"s": _shrunk(11, 8 * sideways.sum()), "facecolor": PAPER, "edgecolor": INK, "linewidths": 0.6},
+        ),
     ):
         if nodes.any():
             axes.scatter(*flat[nodes].T, zorder=3, label=text, **style)
