@@ -6,9 +6,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 
+from .colours import ForceScale
 from .export import lattice_of
 from .features.gridshell import result_line
-from .gui.colours import ForceScale
 
 PAPER = "#f4f3ef"
 INK = "#22262b"
