@@ -4,11 +4,13 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
+from funicular.features import progress
 from window import (
     QtCore,
     QtWidgets,
     clear_report_view,
     close_panel,
+    double_click_in_tree,
     panel_box,
     press,
     press_key,
@@ -33,6 +35,23 @@ def opened(roof):
     assert shell is not None, report_view()
     wait_for_result()
     return shell
+
+
+class WhileSolving(QtCore.QObject):
+    """Does something once, when the status bar first speaks of a solve."""
+
+    def __init__(self, action):
+        super().__init__()
+        self._action, self.happened = action, False
+        Gui.getMainWindow().statusBar().messageChanged.connect(self._changed)
+
+    def _changed(self, message):
+        if "Esc cancels" in message and not self.happened:
+            self.happened = True
+            self._action()
+
+    def stop(self):
+        Gui.getMainWindow().statusBar().messageChanged.disconnect(self._changed)
 
 
 def names(document):
@@ -106,9 +125,11 @@ def test_choices_follow_the_keyboard(opened):
     send_key(panel_box("SupportRecipe"), QtCore.Qt.Key_Down)
     assert opened.SupportRecipe == "Corners"
     wait_for_result(before)
+    # As after a double click on it; the space bar is FreeCAD's key for hiding what is selected.
+    Gui.Selection.addSelection(opened)
     panel_box("AllowTension").setFocus()
     send_key(panel_box("AllowTension"), QtCore.Qt.Key_Space, " ")
-    assert opened.AllowTension
+    assert opened.AllowTension and opened.Visibility
 
 
 def test_ok_is_one_undo_step(opened, roof):
@@ -181,6 +202,74 @@ def test_double_click_edits_and_ok_is_one_more_undo_step(opened):
     assert document.UndoCount == 2
     document.undo()
     assert opened.CoveringWeight == weight and opened.Net.StepV.Value != pytest.approx(700.0)
+
+
+def test_double_click_in_the_tree_is_one_undo_step(opened):
+    press("Ok")
+    document = opened.Document
+    double_click_in_tree("Gridshell")
+    before = wait_for_result()
+    type_into(panel_box("CoveringWeight"), "55")
+    wait_for_result(before)
+    press("Ok")
+    assert document.UndoCount == 2 and not document.HasPendingTransaction
+    double_click_in_tree("Gridshell")
+    wait_for_result()
+    type_into(panel_box("CoveringWeight"), "95")
+    press("Cancel")
+    assert opened.CoveringWeight.getValueAs("kg/m^2") == pytest.approx(55.0)
+    assert document.UndoCount == 2 and not document.HasPendingTransaction
+
+
+def test_a_net_is_edited_with_its_gridshell(opened):
+    press("Ok")
+    assert opened.Net.ViewObject.Proxy.doubleClicked(opened.Net.ViewObject)
+    wait_for_result()
+    assert Gui.ActiveDocument.getInEdit().Object == opened
+    press("Cancel")
+
+
+def test_deleting_the_gridshell_closes_its_panel(opened):
+    document = opened.Document
+    clear_report_view()
+    type_into(panel_box("CoveringWeight"), "45")
+    document.removeObject("Gridshell")
+    settle()
+    assert not Gui.Control.activeDialog()
+    assert report_view() == ""
+
+
+def test_deleting_the_net_is_a_sentence(opened):
+    before = result_line()
+    opened.Document.removeObject("Net")
+    type_into(panel_box("StepU"), "300 mm")
+    gone = wait_for_result(before)
+    assert gone.startswith("✖") and "StepU" in gone
+    type_into(panel_box("CoveringWeight"), "45")
+    line = wait_for_result(gone)
+    assert line.startswith("✖") and "Net is empty" in line
+
+
+def test_enter_in_a_box_is_ok(opened):
+    type_into(panel_box("MemberWeight"), "15")
+    press_key(panel_box("MemberWeight"), QtCore.Qt.Key_Return)
+    settle()
+    assert not Gui.Control.activeDialog()
+    assert opened.MemberWeight.getValueAs("kg/m") == pytest.approx(15.0) and opened.Document.UndoCount == 1
+
+
+def test_esc_ends_a_long_solve_and_leaves_the_last_good_shape(opened, monkeypatch):
+    edges = len(opened.Shape.Edges)
+    monkeypatch.setattr(progress, "SHOWN_AFTER", 0.0)
+    before = result_line()
+    watch = WhileSolving(lambda: press_key(Gui.getMainWindow(), QtCore.Qt.Key_Escape))
+    opened.CoveringWeight = "70 kg/m^2"
+    opened.Document.recompute()
+    watch.stop()
+    assert watch.happened, "the window took no events during the solve"
+    assert "Invalid" in opened.State and "cancelled" in opened.getStatusString()
+    assert len(opened.Shape.Edges) == edges and result_line() == before
+    assert Gui.Control.activeDialog(), "the panel took no notice of the key"
 
 
 def test_a_second_double_click_does_not_disturb_the_open_panel(opened):

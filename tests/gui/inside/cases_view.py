@@ -220,7 +220,12 @@ def test_picture_of_tension_shows_orange(document, pictures):
     dome.Radius, dome.Angle1 = 4000, 0
     document.recompute()
     shell = make_gridshell(
-        document, source=(dome, ["Face1"]), StepU="800 mm", StepV="600 mm", AllowTension=True, CoveringWeight=0
+        document,
+        source=(dome, ["Face1"]),
+        StepU="800 mm",
+        StepV="600 mm",
+        AllowTension=True,
+        CoveringWeight=0,
     )
     dome.Visibility = shell.Net.Visibility = False
     document.recompute()

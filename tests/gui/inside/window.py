@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's window as a user meets it: keys, clicks, panels, pictures."""
 
-import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
@@ -29,10 +28,10 @@ def wait_until(condition, what):
     limit.timeout.connect(loop.quit)
     poll.start(20)
     # A safety net for a window that hangs; nothing passes or fails by being slow.
-    limit.start(120_000)
+    limit.start(30_000)
     (getattr(loop, "exec", None) or loop.exec_)()
     poll.stop()
-    assert condition(), f"never came: {what}"
+    assert condition(), f"never came: {what}; the line says {result_line()!r}, the report {report_view()!r}"
 
 
 def report_view():
@@ -129,6 +128,30 @@ def type_into(widget, text):
     settle()
 
 
+def double_click_in_tree(label):
+    """Double-click an object where the model tree shows it."""
+    found = [
+        (tree, item)
+        for tree in Gui.getMainWindow().findChildren(QtWidgets.QTreeWidget)
+        for item in tree.findItems(label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0)
+    ]
+    assert len(found) == 1, f"{len(found)} items are called {label}"
+    tree, item = found[0]
+    tree.scrollToItem(item)
+    settle()
+    place = QtCore.QPointF(tree.visualItemRect(item).center())
+    for kind in (
+        QtCore.QEvent.MouseButtonPress,
+        QtCore.QEvent.MouseButtonRelease,
+        QtCore.QEvent.MouseButtonDblClick,
+        QtCore.QEvent.MouseButtonRelease,
+    ):
+        buttons = QtCore.Qt.NoButton if kind == QtCore.QEvent.MouseButtonRelease else QtCore.Qt.LeftButton
+        event = QtGui.QMouseEvent(kind, place, QtCore.Qt.LeftButton, buttons, QtCore.Qt.NoModifier)
+        QtWidgets.QApplication.sendEvent(tree.viewport(), event)
+    settle()
+
+
 def legends(document):
     """Names of the legends in the document's 3D view."""
     names = []
@@ -151,7 +174,3 @@ def colours_of(path):
             colour = tuple(line[start : start + 3])
             counts[colour] = counts.get(colour, 0) + 1
     return counts
-
-
-def documents():
-    return list(App.listDocuments())

@@ -59,6 +59,7 @@ class GridshellCommand:
             document.abortTransaction()
             show_message(str(error))
             return
+        FreeCADGui.Selection.clearSelection()
         FreeCADGui.getDocument(document.Name).setEdit(shell.Name)
 
 
@@ -79,7 +80,7 @@ def selected_sources():
         elif selected.SubElementNames:
             faces += [(obj, name) for name in selected.SubElementNames if name.startswith("Face")]
         elif hasattr(obj, "Shape") and not hasattr(obj, "FunicularType"):
-            faces += [(obj, f"Face{index + 1}") for index in range(len(obj.Shape.Faces))]
+            faces += [(obj, f"Face{index + 1}") for index in range(obj.Shape.countElement("Face"))]
     return faces, nets
 
 

@@ -31,7 +31,7 @@ SECTIONS = (
     (
         QT_TRANSLATE_NOOP("Funicular", "Members and supports"),
         (
-            ("Gridshell", "AxialStiffness", QT_TRANSLATE_NOOP("Funicular", "Axial stiffness EA")),
+            ("Gridshell", "AxialStiffness", QT_TRANSLATE_NOOP("Funicular", "Stiffness EA")),
             ("Gridshell", "AllowTension", QT_TRANSLATE_NOOP("Funicular", "Allow tension")),
             ("Gridshell", "SupportRecipe", QT_TRANSLATE_NOOP("Funicular", "Supports")),
         ),
@@ -41,7 +41,7 @@ SECTIONS = (
         (
             ("Gridshell", "Accuracy", QT_TRANSLATE_NOOP("Funicular", "Accuracy")),
             ("Gridshell", "Method", QT_TRANSLATE_NOOP("Funicular", "Method")),
-            ("Gridshell", "LengthMatching", QT_TRANSLATE_NOOP("Funicular", "Length matching rounds")),
+            ("Gridshell", "LengthMatching", QT_TRANSLATE_NOOP("Funicular", "Length matching")),
         ),
     ),
 )
@@ -74,7 +74,7 @@ def make_input(obj, name, on_change, on_error):
         widget = _quantity(obj, name, on_change)
     widget.setObjectName(name)
     # The task panel is as wide as its user made it.
-    widget.setMinimumWidth(60)
+    widget.setMinimumWidth(116)
     documentation = translate(obj.getDocumentationOfProperty(name), "App::Property")
     widget.setToolTip(documentation)
     widget.setStatusTip(documentation)
@@ -93,7 +93,7 @@ def _choice(obj, name, on_change):
 
 
 def _check(obj, name, on_change):
-    widget = QtWidgets.QCheckBox()
+    widget = CheckBox()
     widget.setChecked(getattr(obj, name))
     widget.toggled.connect(on_change)
     return widget
@@ -121,6 +121,16 @@ def _quantity(obj, name, on_change):
 
     QtCore.QObject.connect(widget, QtCore.SIGNAL("valueChanged(double)"), changed)
     return widget
+
+
+class CheckBox(QtWidgets.QCheckBox):
+    """A check box that keeps the space bar, which in FreeCAD hides and shows what is selected."""
+
+    def event(self, event):
+        if event.type() == QtCore.QEvent.ShortcutOverride and event.key() == QtCore.Qt.Key_Space:
+            event.accept()
+            return True
+        return super().event(event)
 
 
 class MassField(QtWidgets.QLineEdit):

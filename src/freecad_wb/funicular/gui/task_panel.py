@@ -15,7 +15,11 @@ from funicular.gui.qt import QtCore, QtGui, QtWidgets, translate
 # immediate.
 PAUSE_MS = 300
 
-GOOD, DOUBTFUL, WRONG = ("✔", "#2e7d32"), ("⚠", "#b26a00"), ("✖", "#c62828")
+# A symbol, and its colour on a light and on a dark window.
+GOOD = ("✔", "#2e7d32", "#81c784")
+DOUBTFUL = ("⚠", "#945200", "#ffb74d")
+WRONG = ("✖", "#c62828", "#ff8a80")
+BUSY = ("…", "#555555", "#bbbbbb")
 
 
 def report(sentence):
@@ -45,8 +49,9 @@ class ResultLine(QtWidgets.QLabel):
         self.setAlignment(QtCore.Qt.AlignTop | QtCore.Qt.AlignLeft)
 
     def say(self, kind, sentence):
-        symbol, colour = kind
-        self.setStyleSheet(f"color: {colour}")
+        symbol, on_light, on_dark = kind
+        window = self.palette().color(QtGui.QPalette.Window)
+        self.setStyleSheet(f"color: {on_light if window.lightness() > 127 else on_dark}")
         self.setText(f"{symbol} {sentence}")
 
 
@@ -118,6 +123,11 @@ class GridshellPanel:
             self._leave()
             FreeCADGui.Control.closeDialog()
 
+    def slotDeletedObject(self, obj):
+        if obj == self._shell:
+            self._leave()
+            FreeCADGui.Control.closeDialog()
+
     # The form
 
     def _build(self):
@@ -150,9 +160,12 @@ class GridshellPanel:
             self._unreadable = ""
             if self._shell is None:
                 return
-            # A property that follows an expression is the expression's to set.
-            if not any(path == name for path, _ in obj.ExpressionEngine):
-                setattr(obj, name, value)
+            try:
+                # A property that follows an expression is the expression's to set.
+                if not any(path == name for path, _ in obj.ExpressionEngine):
+                    setattr(obj, name, value)
+            except (ReferenceError, TypeError, ValueError) as error:
+                self._unread(f"{name}: {error}")
             self._pause.start()
 
         return set_property
@@ -171,7 +184,7 @@ class GridshellPanel:
         if self._unreadable:
             self.line.say(WRONG, self._unreadable)
             return
-        self.line.say(("…", "palette(text)"), translate("Solving"))
+        self.line.say(BUSY, translate("Solving"))
         self.line.repaint()
         self._document.recompute()
         self._show_result()

@@ -34,7 +34,7 @@ class ViewProvider:
         self.add_properties(vobj)
 
     def refresh(self, vobj):
-        """Bring the picture up to the object's results; there is nothing but the shape unless a subclass adds it."""
+        """Bring what is shown beside the shape up to the object's results; here there is nothing."""
 
     def getIcon(self):
         return icon(self.icon_name)
@@ -60,6 +60,11 @@ class ViewProviderNet(ViewProvider):
     def claimChildren(self):
         source = self.vobj.Object.Source
         return [source[0]] if source else []
+
+    def doubleClicked(self, vobj):
+        """The steps of a net are edited in the panel of the gridshell that it carries."""
+        shells = [user for user in vobj.Object.InList if getattr(user, "FunicularType", "") == "Gridshell"]
+        return shells[0].ViewObject.Proxy.doubleClicked(shells[0].ViewObject) if shells else False
 
     def onDelete(self, vobj, subelements):
         for child in self.claimChildren():
