@@ -48,7 +48,7 @@ configure: setup
 	@$(call configure_preset,release) -D PYTHON_EXECUTABLE=$(PYTHON) -D Python_EXECUTABLE=$(PYTHON) $(or_show_log)
 
 build: configure ## compile the core into src/freecad_wb/funicular/
-	@cmake --build build/release
+	@cmake --build build/release --target _core
 
 lint: configure ## clang-format, clang-tidy, black, flake8: changes nothing
 	@tools/lint.sh
@@ -60,7 +60,8 @@ format: setup ## let clang-format and black rewrite the sources
 test: lint build test-core test-sanitize test-house test-python test-freecad test-gui ## all of it: lint, build and every test below
 	@echo "make test: all passed"
 
-test-core: build ## the C++ core
+test-core: configure ## the C++ core
+	@cmake --build build/release
 	ctest --test-dir build/release --output-on-failure --no-tests=error
 
 test-sanitize: setup ## the C++ core under AddressSanitizer and UndefinedBehaviorSanitizer

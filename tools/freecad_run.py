@@ -28,7 +28,8 @@ def start_freecad(command_line):
     if not program:
         sys.exit("freecadcmd is not on the PATH: install FreeCAD or set FREECADCMD to the program.")
     os.environ[COMMAND_LINE] = json.dumps(command_line)
-    # FreeCAD greets on standard output; the script's own output is all that is wanted there.
+    # FreeCAD greets and shows progress on standard output, where only what the script prints is wanted.
+    # Warnings and errors are on standard error and stay.
     stdout = os.dup(1)
     os.set_inheritable(stdout, True)
     os.environ[STDOUT] = str(stdout)
@@ -38,8 +39,7 @@ def start_freecad(command_line):
 
 def run_script():
     """Inside FreeCAD: run the script named in the environment; never returns."""
-    flush_all()
-    os.dup2(int(os.environ.pop(STDOUT)), 1)
+    sys.stdout = open(int(os.environ.pop(STDOUT)), "w", encoding="utf-8", buffering=1)
     sys.argv = json.loads(os.environ.pop(COMMAND_LINE))
     code = 0
     try:
@@ -53,16 +53,12 @@ def run_script():
     except BaseException:
         traceback.print_exc()
         code = 1
-    flush_all()
-    # FreeCAD would go on to its console, or turn the exit code to 0.
-    os._exit(code)
-
-
-def flush_all():
     sys.stdout.flush()
     sys.stderr.flush()
-    # FreeCAD.Console writes through C's stdio, which os._exit does not flush.
+    # FreeCAD.Console writes its errors through C's stdio, which os._exit does not flush.
     ctypes.CDLL(None).fflush(None)
+    # FreeCAD would go on to its console, or turn the exit code to 0.
+    os._exit(code)
 
 
 if "FreeCAD" in sys.modules:
