@@ -4,7 +4,9 @@
 import numpy as np
 import pytest
 
+import funicular as fn
 from documents import array, assert_refused, edge_ends, recompute, reopened
+from funicular.features.net import edges_of
 from funicular.make import make_gridshell
 
 # property, value, what the sentence must say
@@ -112,3 +114,11 @@ def test_a_closed_net_has_no_border_to_stand_on(doc):
     shell = make_gridshell(doc, source=(torus, ["Face1"]), StepU="3 m", StepV="2 m")
     doc.recompute()
     assert_refused(shell, "SupportRecipe: recipe 'boundary': the net is closed", "'lowest points' instead")
+
+
+def test_a_member_that_shrank_to_nothing_is_named():
+    nodes = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1e-9]])
+    with pytest.raises(
+        fn.InvalidInput, match=r"member 1 \(nodes 1 and 2\) has shrunk to 1e-09 mm.*larger steps"
+    ):
+        edges_of(nodes, np.array([[0, 1], [1, 2]]))

@@ -37,6 +37,12 @@ def test_defaults(doc, box):
     assert (shell.AllowTension, shell.MaxSeconds, shell.LengthMatching) == (False, 60.0, 0)
 
 
+def test_the_net_gives_way_to_its_gridshell(doc, box):
+    shell = make_gridshell(doc, source=(box, "Face6"))
+    assert shell.Visibility and not shell.Net.Visibility
+    assert make_net(doc, (box, "Face6")).Visibility
+
+
 def test_every_property_has_a_group_and_a_tooltip(doc, box):
     shell = make_gridshell(doc, source=(box, "Face6"))
     groups = {"Net", "Weights", "Stiffness", "Supports", "Solution", "Results", "Base"}

@@ -57,6 +57,8 @@ def make_gridshell(doc, source=None, net=None, **properties):
     with _one_undo_step(doc, "Make gridshell"):
         if net is None:
             net = _make_net(doc, source, of_net)
+            # The gridshell stands where its net lies.
+            net.Visibility = False
         obj = _add(doc, Gridshell)
         obj.Net = net
         _set(obj, Gridshell, of_gridshell)
@@ -78,9 +80,14 @@ def attach(obj):
 def attach_view_provider(obj):
     """Give an object its view provider where there is a window and it has none."""
     if App.GuiUp:
-        from .gui.view_providers import attach_view_provider
+        from .gui import view_providers
 
-        attach_view_provider(obj)
+        # FreeCAD puts a number where a view provider's proxy is missing.
+        saved_without_window = isinstance(obj.ViewObject.Proxy, (int, type(None)))
+        view_providers.attach_view_provider(obj)
+        if saved_without_window and any(getattr(user, MARKER, "") == Gridshell.TYPE for user in obj.InList):
+            # Such a file says nothing of what is shown; the gridshell stands where its net lies.
+            obj.Visibility = False
 
 
 def _make_net(doc, source, properties):

@@ -95,7 +95,7 @@ def _draw_lattice(axes, view, nodes, members, panels, colours):
 
 def _shrunk(width, count):
     """A line width that keeps the members of a fine net apart."""
-    return width * min(1.0, (1500 / count) ** 0.4)
+    return width * min(1.0, (1500 / max(count, 1)) ** 0.4)
 
 
 def _draw_supports(axes, flat, reactions):

@@ -12,6 +12,9 @@ from .feature import Feature, Property
 
 PATTERNS = ("Quad",)
 
+# OCCT takes points within 1e-7 mm of each other for one.
+SHORTEST_EDGE = 1e-7
+
 
 class Net(Feature):
     TYPE = "Net"
@@ -158,6 +161,16 @@ def to_vectors(points):
 
 
 def edges_of(nodes, members):
-    """Part compound of one edge per member, in member order. nodes: (n, 3) [mm]."""
+    """Part compound of one edge per member, in member order. nodes: (n, 3) [mm].
+
+    Raises InvalidInput for a member shorter than what FreeCAD takes for a line.
+    """
+    lengths = np.linalg.norm(nodes[members[:, 0]] - nodes[members[:, 1]], axis=1)
+    shortest = int(np.argmin(lengths))
+    if lengths[shortest] <= SHORTEST_EDGE:
+        raise fn.InvalidInput(
+            f"member {shortest} (nodes {members[shortest, 0]} and {members[shortest, 1]}) has shrunk to "
+            f"{lengths[shortest]:.1g} mm, too short for a line: give larger steps or other supports"
+        )
     vectors = to_vectors(nodes)
     return Part.Compound([Part.makeLine(vectors[i], vectors[j]) for i, j in members.tolist()])
