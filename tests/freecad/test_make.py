@@ -99,6 +99,13 @@ def test_what_is_no_source_is_refused(doc, box):
     assert [obj.Name for obj in doc.Objects] == ["Box"]
 
 
+def test_a_source_of_another_document_is_refused(doc, box):
+    other = App.newDocument("Other")
+    with pytest.raises(ValueError, match="source Box is in the document Test: bring it into Other"):
+        make_net(other, (box, ["Face6"]))
+    assert other.Objects == []
+
+
 def test_a_shared_net_keeps_its_properties(doc, box):
     net = make_net(doc, (box, ["Face6"]))
     with pytest.raises(

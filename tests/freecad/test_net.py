@@ -152,6 +152,14 @@ class TestSources:
         doc.recompute()
         assert net.Shape.BoundBox.ZMin == 23000
 
+    def test_a_lone_face_inside_a_part(self, doc, dome):
+        part = doc.addObject("App::Part", "Storey")
+        part.addObject(dome)
+        part.Placement.Base = V(0, 0, 10000)
+        net = make_net(doc, dome)
+        assert recompute(doc) == {}
+        assert net.Shape.BoundBox.ZMax == pytest.approx(20000)
+
     def test_inside_a_body_that_moves(self, doc):
         body = doc.addObject("PartDesign::Body", "Body")
         pad = body.newObject("PartDesign::AdditiveBox", "Block")

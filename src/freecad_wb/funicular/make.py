@@ -92,8 +92,14 @@ def attach_view_provider(obj):
 
 def _make_net(doc, source, properties):
     _check_names(Net, properties)
+    source, sub = _one_source(source)
+    if source.Document != doc:
+        raise ValueError(
+            f"source {source.Label} is in the document {source.Document.Label}: bring it into {doc.Label}, "
+            "for instance as a link"
+        )
     obj = _add(doc, Net)
-    obj.Source = _from_the_root(*_one_source(source))
+    obj.Source = _from_the_root(source, sub)
     _set(obj, Net, properties)
     return obj
 
@@ -141,7 +147,7 @@ def _from_the_root(obj, sub):
     if len(parents) != 1:
         return obj, [sub]
     container, path = parents.pop()
-    return obj.Document.getObject(container), [path + (sub or "Face1")]
+    return obj.Document.getObject(container), [path + sub]
 
 
 def _settable(feature):

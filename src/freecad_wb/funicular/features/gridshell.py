@@ -27,6 +27,11 @@ def _result(kind, name, tooltip):
 
 
 class Gridshell(Feature):
+    """Proxy of a Gridshell: solves the scene that its properties describe and writes what was found.
+
+    Positions are in mm and in the numbering of the net, forces in N and of the built structure.
+    """
+
     TYPE = "Gridshell"
     PROPERTIES = (
         Property(

@@ -17,6 +17,8 @@ SHORTEST_EDGE = 1e-7
 
 
 class Net(Feature):
+    """Proxy of a Net: samples the face at equal arc-length steps along its isolines. Lengths in mm."""
+
     TYPE = "Net"
     PROPERTIES = (
         Property("App::PropertyLinkSub", "Source", "Net", "The face that the net lies on"),
