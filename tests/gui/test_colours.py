@@ -2,7 +2,7 @@
 """Colours by force and the legend's marks: numbers only, so no FreeCAD."""
 
 import pytest
-from funicular.gui.colours import COMPRESSION_RAMP, TENSION_RAMP, ForceScale, ramp_colour
+from funicular.colours import COMPRESSION_RAMP, TENSION_RAMP, ForceScale, ramp_colour
 
 
 def as_seen_without(cone, colour):

@@ -192,10 +192,10 @@ class GridshellPanel:
     def _show_result(self):
         from funicular.features.gridshell import result_line
 
-        kept = translate("The last good shape stays.")
         for obj in (self._shell.Net, self._shell):
             if obj is not None and "Invalid" in obj.State:
-                self.line.say(WRONG, f"{obj.getStatusString()}. {kept}")
+                kept = "" if self._shell.Shape.isNull() else " " + translate("(The last good shape stays.)")
+                self.line.say(WRONG, obj.getStatusString() + kept)
                 return
         if self._shell.Status != "converged":
             self.line.say(WRONG, result_line(self._shell))

@@ -4,8 +4,8 @@
 import FreeCAD
 import FreeCADGui
 
+from funicular.colours import ForceScale
 from funicular.gui import legend, solving
-from funicular.gui.colours import ForceScale
 from funicular.gui.icons import icon
 from funicular.gui.qt import QT_TRANSLATE_NOOP, translate
 
