@@ -2,11 +2,13 @@
 """The examples, their pictures and their meshes."""
 
 import FreeCAD as App
+import Part
 import dome as dome_example
 import matplotlib.image
 import numpy as np
 import pytest
 import roof as roof_example
+import run_demo
 
 import funicular as fn
 from documents import array, recompute
@@ -103,3 +105,51 @@ def test_tension_is_orange_in_the_picture(doc, tmp_path):
     save_picture(shell, tmp_path / "shell.png")
     picture = matplotlib.image.imread(tmp_path / "shell.png")[:, :, :3]
     assert (picture[:, :, 0] > picture[:, :, 2] + 0.35).mean() > 0.005
+
+
+@pytest.fixture
+def demo_folder(doc, tmp_path, monkeypatch):
+    monkeypatch.setattr(run_demo, "ROOT", tmp_path)
+    monkeypatch.setattr(run_demo, "FOLDER", tmp_path / "demo")
+    return tmp_path / "demo"
+
+
+def test_the_demo_writes_its_files_and_one_table(demo_folder, capfd):
+    assert run_demo.main() == 0
+    written = {path.name for path in demo_folder.iterdir()}
+    assert written == {f"{name}.{kind}" for name in EXAMPLES for kind in ("FCStd", "obj", "png")}
+    lines = [
+        line for line in capfd.readouterr().out.splitlines() if line.startswith(("example", "dome", "roof"))
+    ]
+    assert [line.split()[0] for line in lines] == ["example", "dome", "roof"]
+    assert all(len(line) == len(lines[0]) and "compression only" in line for line in lines[1:])
+
+
+def test_the_demo_fails_when_an_example_does(demo_folder, capfd, monkeypatch):
+    def build(doc):
+        shell = dome_example.build(doc)
+        shell.Net.StepU = 0
+        doc.recompute()
+        return shell
+
+    monkeypatch.setattr(run_demo, "dome", type("Broken", (), {"build": staticmethod(build)}))
+    assert run_demo.main() == 1
+    assert "Net: StepU is 0 mm: give a length greater than zero" in capfd.readouterr().err
+    assert not (demo_folder / "dome.obj").exists() and (demo_folder / "roof.obj").exists()
+
+
+def test_the_demo_fails_when_a_shell_pulls(demo_folder, capfd, monkeypatch):
+    def build(doc):
+        shell = dome_example.build(doc)
+        shell.AllowTension, shell.AxialStiffness = True, "100 MN"
+        shell.Net.Source[0].Shape = hemisphere()
+        doc.recompute()
+        return shell
+
+    monkeypatch.setattr(run_demo, "dome", type("Pulling", (), {"build": staticmethod(build)}))
+    assert run_demo.main() == 1
+    assert "members in tension" in capfd.readouterr().err
+
+
+def hemisphere():
+    return Part.makeSphere(10000, App.Vector(), App.Vector(0, 0, 1), 0, 90, 360).Faces[0]

@@ -52,8 +52,11 @@ def test_boundary_of_a_dome_is_its_base():
 
 
 def test_boundary_needs_no_lattice():
-    net = fn.Net([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1], [1, 2], [2, 0]], [[0, 1, 2]])
-    assert held(support_recipe(net, "boundary")) == [0, 1, 2]
+    around = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    panels = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+    members = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [1, 4], [2, 4], [3, 4]]
+    net = fn.Net([*around, [0.5, 0.5, 0.2]], members, panels)
+    assert held(support_recipe(net, "boundary")) == [0, 1, 2, 3]
 
 
 def test_corners_are_those_of_the_lattice():
@@ -119,6 +122,13 @@ def test_lowest_points_do_not_depend_on_the_origin_or_the_size():
     expected = held(support_recipe(net, "lowest points"))
     for moved in (net.nodes + 1e6, net.nodes * 1e-3, net.nodes * 1e3):
         assert held(support_recipe(net.lattice.net(moved), "lowest points")) == expected
+
+
+def test_a_recipe_that_leaves_nothing_to_move_is_refused():
+    with pytest.raises(fn.InvalidInput, match="recipe 'lowest points' holds every node.*choose another"):
+        support_recipe(patch(), "lowest points")
+    with pytest.raises(fn.InvalidInput, match="recipe 'boundary' holds every node.*or a finer net"):
+        support_recipe(patch(1, 1), "boundary")
 
 
 def test_none_holds_nothing():

@@ -20,12 +20,18 @@ def support_recipe(net, name):
     - "lowest points": points on the nodes within 1e-4 of the net's size of the lowest one;
     - "none".
 
-    Returns a list of fn.Fixed and fn.OnPlane. Raises InvalidInput for an unknown name, and where the net
-    lacks what the recipe speaks of: a border, corners, a border that has a direction on plan.
+    Returns a list of fn.Fixed and fn.OnPlane. Raises InvalidInput for an unknown name, where the net lacks
+    what the recipe speaks of (a border, corners, a border that has a direction on plan), and where no node is
+    left to move.
     """
     if name not in RECIPES:
         raise fn.InvalidInput(f"recipe '{name}' is unknown: choose one of {', '.join(RECIPES)}")
-    return RECIPES[name](net)
+    supports = RECIPES[name](net)
+    if sum(len(support.ids) for support in supports if isinstance(support, fn.Fixed)) == len(net.nodes):
+        raise fn.InvalidInput(
+            f"recipe '{name}' holds every node, so nothing is left to relax; choose another, or a finer net"
+        )
+    return supports
 
 
 def _boundary(net):
