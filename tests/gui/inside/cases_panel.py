@@ -176,6 +176,33 @@ def test_escape_cancels(opened, roof):
     assert names(roof.Document) == ["Roof"]
 
 
+def press_escape_in_the_view():
+    """What FreeCAD does then: it ends the edit mode and asks no panel."""
+    Gui.ActiveDocument.resetEdit()
+    settle()
+
+
+def test_escape_in_the_3d_view_cancels_the_command(opened, roof):
+    type_into(panel_box("CoveringWeight"), "45")
+    clear_report_view()
+    press_escape_in_the_view()
+    assert not Gui.Control.activeDialog()
+    assert names(roof.Document) == ["Roof"]
+    assert not roof.Document.HasPendingTransaction and roof.Document.UndoCount == 0
+    assert report_view() == ""
+
+
+def test_escape_in_the_3d_view_cancels_an_edit(opened):
+    press("Ok")
+    weight = opened.CoveringWeight
+    edit_again(opened)
+    type_into(panel_box("CoveringWeight"), "45")
+    press_escape_in_the_view()
+    assert not Gui.Control.activeDialog()
+    assert opened.CoveringWeight == weight
+    assert not opened.Document.HasPendingTransaction and opened.Document.UndoCount == 1
+
+
 def test_double_click_edits_and_cancel_restores(opened):
     press("Ok")
     document, nodes, weight = opened.Document, opened.NodePositions, opened.CoveringWeight

@@ -147,6 +147,7 @@ def test_a_file_comes_back_with_colours_legend_and_panel(shell, tmp_path):
         assert again.ViewObject.LineWidth == 5.0
         assert again.ViewObject.Icon is not None
         assert legends(document) == ["Funicular_legend_Gridshell"]
+        assert not Gui.getDocument(document.Name).Modified, "opening a file changes nothing in it"
         again.ViewObject.Proxy.doubleClicked(again.ViewObject)
         assert wait_for_result().startswith("✔")
         press("Cancel")

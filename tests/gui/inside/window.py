@@ -46,8 +46,14 @@ def clear_report_view():
 
 
 def child(kind, name):
-    """The one visible widget of this name in the window, or None."""
-    found = [widget for widget in Gui.getMainWindow().findChildren(kind, name) if widget.isVisible()]
+    """The one visible widget of this name, or None.
+
+    Not by findChildren of the window: PySide would then keep what it found for as long as the window lives,
+    and take the dead wrapper for the next widget at the same address.
+    """
+    widgets = QtWidgets.QApplication.allWidgets()
+    found = [widget for widget in widgets if isinstance(widget, kind) and widget.objectName() == name]
+    found = [widget for widget in found if widget.isVisible()]
     assert len(found) <= 1, f"{len(found)} widgets are called {name}"
     return found[0] if found else None
 
@@ -73,7 +79,8 @@ def wait_for_result(previous=""):
 
 def press(button):
     """Press OK, Cancel or Close of the open panel."""
-    boxes = [box for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) if box.isVisible()]
+    widgets = QtWidgets.QApplication.allWidgets()
+    boxes = [box for box in widgets if isinstance(box, QtWidgets.QDialogButtonBox) and box.isVisible()]
     assert len(boxes) == 1, f"{len(boxes)} rows of buttons are visible"
     boxes[0].button(getattr(QtWidgets.QDialogButtonBox, button)).click()
     settle()

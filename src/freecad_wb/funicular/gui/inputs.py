@@ -25,7 +25,7 @@ SECTIONS = (
             ("Gridshell", "MemberWeight", QT_TRANSLATE_NOOP("Funicular", "Members")),
             ("Gridshell", "CoveringWeight", QT_TRANSLATE_NOOP("Funicular", "Covering")),
             ("Gridshell", "CoveringShare", QT_TRANSLATE_NOOP("Funicular", "Shared by")),
-            ("Gridshell", "Snow", QT_TRANSLATE_NOOP("Funicular", "Snow on plan")),
+            ("Gridshell", "Snow", QT_TRANSLATE_NOOP("Funicular", "Snow")),
         ),
     ),
     (
@@ -73,8 +73,9 @@ def make_input(obj, name, on_change, on_error):
     else:
         widget = _quantity(obj, name, on_change)
     widget.setObjectName(name)
-    # The task panel is as wide as its user made it.
-    widget.setMinimumWidth(116)
+    if kind != "App::PropertyBool":
+        # Room for "1000.00 mm" and its f(x); a panel that its user made narrower wraps the rows.
+        widget.setMinimumWidth(116)
     documentation = translate(obj.getDocumentationOfProperty(name), "App::Property")
     widget.setToolTip(documentation)
     widget.setStatusTip(documentation)
@@ -149,8 +150,7 @@ class MassField(QtWidgets.QLineEdit):
         return f"{float(quantity.getValueAs(self._unit)):.6g} {self._unit}"
 
     def _quantity(self):
-        """What is written, or None if it is no quantity of this kind. A bare number is taken in the field's
-        unit."""
+        """What is written, or None if it is no quantity of this kind. A bare number has the unit shown."""
         text = self.text().strip()
         for candidate in (text, f"({text}) {self._unit}"):
             try:

@@ -111,12 +111,19 @@ class GridshellPanel:
         return True
 
     def reject(self):
+        document = self._document
+        self.cancel()
+        FreeCADGui.getDocument(document.Name).resetEdit()
+        return True
+
+    def cancel(self):
+        """Take everything back that was done in this panel; nothing happens once it is finished."""
+        if self._shell is None:
+            return
         document = self._leave()
         document.abortTransaction()
-        FreeCADGui.getDocument(document.Name).resetEdit()
         # Aborting restores the values and leaves what they belong to marked as out of date.
         document.recompute()
-        return True
 
     def slotDeletedDocument(self, document):
         if document == self._document:
@@ -215,12 +222,12 @@ class GridshellPanel:
 def edit(shell):
     """Show the panel of a gridshell and bring its result up to date.
 
-    Returns whether the panel is shown: another dialog may be in the way.
+    Returns the panel, or None if another dialog is in the way.
     """
     if FreeCADGui.Control.activeDialog():
         report(translate("Another dialog is open in the task panel. Close it, then edit the gridshell."))
-        return False
+        return None
     panel = GridshellPanel(shell)
     FreeCADGui.Control.showDialog(panel)
     panel.recompute()
-    return True
+    return panel

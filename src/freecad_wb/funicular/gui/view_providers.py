@@ -139,11 +139,14 @@ class ViewProviderGridshell(ViewProvider):
             return None
         from funicular.gui import task_panel
 
-        return task_panel.edit(vobj.Object)
+        self._panel = task_panel.edit(vobj.Object)
+        return self._panel is not None
 
     def unsetEdit(self, vobj, mode=0):
         if mode != 0:
             return None
+        # OK and Cancel have finished the panel by now; Esc in the 3D view has not.
+        self._panel.cancel()
         FreeCADGui.Control.closeDialog()
         return True
 
@@ -152,8 +155,7 @@ VIEW_PROVIDERS = {"Net": ViewProviderNet, "Gridshell": ViewProviderGridshell}
 
 
 def attach_view_provider(obj):
-    """Give `obj` the view provider of its kind if it has none, as after opening a file that was saved without
-    a window.
+    """Give `obj` the view provider of its kind if it has none, as in a file that was saved without a window.
 
     obj: a document object whose FunicularType is "Net" or "Gridshell".
     """
@@ -164,8 +166,7 @@ def attach_view_provider(obj):
 
 
 class DocumentObserver:
-    """What FreeCAD tells no view provider: removal by a script or by undo, and what undo and redo bring
-    back."""
+    """What FreeCAD tells no view provider: removal by a script, and what undo and redo take or bring back."""
 
     def slotDeletedObject(self, obj):
         if getattr(obj, "FunicularType", "") == "Gridshell":
@@ -184,6 +185,7 @@ class DocumentObserver:
 def _refresh_gridshells(document):
     for obj in document.Objects:
         if getattr(obj, "FunicularType", "") == "Gridshell":
+            attach_view_provider(obj)
             obj.ViewObject.Proxy.refresh(obj.ViewObject)
 
 
