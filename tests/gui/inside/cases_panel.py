@@ -5,9 +5,9 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 from funicular.features import progress
+from funicular.gui.inputs import SECTIONS
 from window import (
     QtCore,
-    QtWidgets,
     clear_report_view,
     close_panel,
     double_click_in_tree,
@@ -80,14 +80,14 @@ def test_source_and_net_give_way_to_the_gridshell_and_hang_below_it(opened, roof
 
 
 def test_every_input_has_a_label_and_says_what_it_is(opened):
-    boxes = [
-        box
-        for form in panel_box("ResultLine").parent().findChildren(QtWidgets.QFormLayout)
-        for box in (
-            form.itemAt(row, QtWidgets.QFormLayout.FieldRole).widget() for row in range(form.rowCount())
-        )
-    ]
-    assert len(boxes) == 13
+    names_of_inputs = [name for _, rows in SECTIONS for _, name, _ in rows]
+    assert len(names_of_inputs) == 13
+    boxes = [panel_box(name) for name in names_of_inputs]
+    reached, widget = [], boxes[0]
+    while len(reached) < len(boxes) and widget.objectName() not in reached:
+        reached += [widget.objectName()] if widget in boxes else []
+        widget = widget.nextInFocusChain()
+    assert reached == names_of_inputs, "the Tab key goes down the panel"
     for box in boxes:
         assert len(box.toolTip()) > 10, f"{box.objectName()} has no tooltip"
         assert box.focusPolicy() & QtCore.Qt.TabFocus, f"{box.objectName()} is not reached by the Tab key"

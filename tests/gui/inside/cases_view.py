@@ -107,6 +107,25 @@ def test_deleting_in_the_window_shows_the_net_again(shell):
     assert legends(net.Document) == []
 
 
+def test_a_face_within_a_part_stays_the_parts_and_comes_back_with_the_net(roof):
+    part = roof.Document.addObject("App::Part", "Building")
+    part.addObject(roof)
+    roof.Document.recompute()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(roof.Document.Name, "Building", "Roof.Face1")
+    run_command()
+    assert wait_for_result().startswith("✔")
+    press("Ok")
+    net = roof.Document.getObject("Net")
+    assert net.ViewObject.claimChildren() == [] and not roof.Visibility
+    for name in ("Gridshell", "Net"):
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(roof.Document.getObject(name))
+        Gui.runCommand("Std_Delete")
+        settle()
+    assert roof.Document.getObject("Net") is None and roof.Visibility
+
+
 def test_each_of_two_gridshells_has_its_legend_beside_the_other(shell):
     second = make_gridshell(shell.Document, net=shell.Net, CoveringWeight="90 kg/m^2")
     shell.Document.recompute()

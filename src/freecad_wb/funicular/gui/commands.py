@@ -116,12 +116,12 @@ def _make(document, source, net):
     _native.load()
     if net is not None:
         shell = make_gridshell(document, net=net)
+        net.Visibility = False
     else:
         step = f"{starting_step(source[0].getSubObject(source[1][0]))} mm"
         shell = make_gridshell(document, source=source, StepU=step, StepV=step)
         # As FreeCAD's Part features do with what they are made of.
         source[0].Visibility = False
-    shell.Net.Visibility = False
     return shell
 
 

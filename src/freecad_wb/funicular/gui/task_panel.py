@@ -152,8 +152,13 @@ class GridshellPanel:
             layout.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
             layout.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
             for owner, name, label in rows:
-                if owners[owner] is not None:
-                    widget = make_input(owners[owner], name, self._setter(owners[owner], name), self._unread)
+                if owners[owner] is None:
+                    continue
+                widget = make_input(owners[owner], name, self._setter(owners[owner], name), self._unread)
+                if isinstance(widget, QtWidgets.QCheckBox):
+                    widget.setText(translate(label))
+                    layout.addRow(widget)
+                else:
                     layout.addRow(translate(label), widget)
                     layout.labelForField(widget).setToolTip(widget.toolTip())
             if layout.rowCount():
@@ -169,7 +174,7 @@ class GridshellPanel:
                 return
             try:
                 # A property that follows an expression is the expression's to set.
-                if not any(path == name for path, _ in obj.ExpressionEngine):
+                if not any(path.lstrip(".") == name for path, _ in obj.ExpressionEngine):
                     setattr(obj, name, value)
             except (ReferenceError, TypeError, ValueError) as error:
                 self._unread(f"{name}: {error}")

@@ -58,8 +58,16 @@ class ViewProviderNet(ViewProvider):
     icon_name = "Funicular_Net"
 
     def claimChildren(self):
-        source = self.vobj.Object.Source
-        return [source[0]] if source else []
+        # What is in a part or a body is the part's or the body's child.
+        source = self._source()
+        return [source] if source and source == self.vobj.Object.Source[0] else []
+
+    def _source(self):
+        """The object whose face the net lies on, also where it is named from the part that contains it."""
+        if not self.vobj.Object.Source:
+            return None
+        named, elements = self.vobj.Object.Source
+        return named.getSubObjectList(elements[0])[-1] if elements else named
 
     def doubleClicked(self, vobj):
         """The steps of a net are edited in the panel of the gridshell that it carries."""
@@ -67,8 +75,9 @@ class ViewProviderNet(ViewProvider):
         return shells[0].ViewObject.Proxy.doubleClicked(shells[0].ViewObject) if shells else False
 
     def onDelete(self, vobj, subelements):
-        for child in self.claimChildren():
-            child.Visibility = True
+        source = self._source()
+        if source:
+            source.Visibility = True
         return True
 
 
