@@ -377,7 +377,8 @@ def test_a_trimmed_face_is_a_sentence_and_cancel_takes_it_back(document):
     select_faces(cylinder, "Face2")
     run_command()
     line = wait_for_result()
-    assert line.startswith("✖") and "trimmed" in line
+    assert line.startswith("✖") and "trimmed" in line and "last good" not in line
+    assert cylinder.Visibility, "there is nothing yet that could stand in its place"
     press("Cancel")
     assert names(document) == ["Cylinder"]
 

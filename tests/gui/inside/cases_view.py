@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The gridshell in the 3D view and in the tree: colours, legend, pictures, files."""
 
+import shutil
 import subprocess
 
 import FreeCAD as App
@@ -150,6 +151,16 @@ def test_legend_does_not_count_as_part_of_the_model(shell):
     assert camera_height() == pytest.approx(with_legend)
 
 
+def test_a_copy_is_coloured_and_has_its_own_legend(shell):
+    copy = shell.Document.copyObject(shell)
+    shell.Document.recompute()
+    assert type(copy.ViewObject.Proxy).__name__ == "ViewProviderGridshell"
+    assert copy.ViewObject.Proxy is not shell.ViewObject.Proxy
+    assert copy.ViewObject.claimChildren() == [shell.Net]
+    assert len(copy.ViewObject.LineColorArray) == len(copy.MemberForces) == len(shell.MemberForces)
+    assert sorted(legends(shell.Document)) == ["Funicular_legend_Gridshell", f"Funicular_legend_{copy.Name}"]
+
+
 def test_a_file_comes_back_with_colours_legend_and_panel(shell, tmp_path):
     path = str(tmp_path / "roof.FCStd")
     forces = list(shell.MemberForces)
@@ -190,7 +201,8 @@ def test_a_file_saved_without_a_window_gets_its_view_providers(document, tmp_pat
         "os._exit(0)\n",
         encoding="utf-8",
     )
-    subprocess.run(["freecadcmd", str(script)], check=True, timeout=300, stdout=subprocess.DEVNULL)
+    headless = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+    subprocess.run([headless, str(script)], check=True, timeout=300, stdout=subprocess.DEVNULL)
     opened = App.openDocument(str(path))
     settle()
     try:
@@ -257,6 +269,24 @@ def test_picture_of_tension_shows_orange(document, pictures):
     view().saveImage(str(path), 1200, 800, "Current")
     orange = sum(count for (r, g, b), count in colours_of(path).items() if r > b + 80)
     assert orange > 500
+
+
+def test_picture_of_an_error_in_the_panel(document, pictures):
+    cylinder = document.addObject("Part::Cylinder", "Cylinder")
+    document.recompute()
+    select_faces(cylinder, "Face2")
+    run_command()
+    assert wait_for_result().startswith("✖")
+    settle(20)
+    line = panel_box("ResultLine")
+    assert line.width() <= line.parentWidget().width() and line.sizeHint().height() <= line.height() + 2
+    path = pictures / "error.png"
+    assert Gui.getMainWindow().screen().grabWindow(0).save(str(path))
+    corner = line.mapToGlobal(line.rect().topLeft())
+    written = QtGui.QImage(str(path)).copy(corner.x(), corner.y(), line.width(), line.height())
+    pixels = [written.pixelColor(x, y) for x in range(written.width()) for y in range(written.height())]
+    assert sum(pixel.red() > pixel.blue() + 60 for pixel in pixels) > 200, "the sentence is written in red"
+    press("Cancel")
 
 
 def test_picture_of_the_whole_window_with_its_panel(roof, pictures):

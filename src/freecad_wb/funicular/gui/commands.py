@@ -39,8 +39,8 @@ class GridshellCommand:
     def IsActive(self):
         if FreeCADGui.Control.activeDialog():
             return False
-        sources, nets = selected_sources()
-        return bool(sources or nets)
+        faces, nets = selected_sources()
+        return bool(faces or nets)
 
     def Activated(self):
         from funicular.gui.task_panel import show_message
@@ -61,6 +61,9 @@ class GridshellCommand:
             return
         FreeCADGui.Selection.clearSelection()
         FreeCADGui.getDocument(document.Name).setEdit(shell.Name)
+        if source is not None and not shell.Shape.isNull():
+            # As FreeCAD's Part features do with what they are made of. A face that failed stays in sight.
+            source[0].Visibility = False
 
 
 def selected_sources():
@@ -120,8 +123,6 @@ def _make(document, source, net):
     else:
         step = f"{starting_step(source[0].getSubObject(source[1][0]))} mm"
         shell = make_gridshell(document, source=source, StepU=step, StepV=step)
-        # As FreeCAD's Part features do with what they are made of.
-        source[0].Visibility = False
     return shell
 
 
