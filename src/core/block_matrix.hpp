@@ -14,19 +14,19 @@ namespace funicular {
 
 /// Pairs of nodes that act on one another: the places of a sparse matrix of 3 x 3 blocks.
 class Coupling {
-  public:
+public:
     explicit Coupling(Index node_count) : neighbours_(node_count) {}
     /// Every node acts on every other of the group.
     void add(std::span<const Index> nodes);
 
-  private:
+private:
     friend class BlockMatrix;
     std::vector<std::vector<Index>> neighbours_;
 };
 
 /// A sparse matrix of 3 x 3 blocks, one row of blocks for each node.
 class BlockMatrix {
-  public:
+public:
     explicit BlockMatrix(Coupling coupling);
 
     void set_zero() { values_.assign(values_.size(), Matrix3::Zero()); }
@@ -37,8 +37,10 @@ class BlockMatrix {
     [[nodiscard]] std::span<const Index> columns(Index row) const;
     [[nodiscard]] const Matrix3 &block(Index row, Index column) const { return values_[find(row, column)]; }
 
-    /// The matrix between the free directions. A row-major result is this matrix, a column-major one its transpose.
-    template <class Sparse> void reduce(const Freedoms &freedoms, Sparse &reduced) const {
+    /// The matrix between the free directions. A row-major result is this matrix, a column-major one its
+    /// transpose.
+    template <class Sparse>
+    void reduce(const Freedoms &freedoms, Sparse &reduced) const {
         reduced.resize(freedoms.size(), freedoms.size());
         reduced.reserve(static_cast<Index>(9 * block_count()));
         const auto node_count = static_cast<Index>(offsets_.size()) - 1;
@@ -57,7 +59,7 @@ class BlockMatrix {
         reduced.finalize();
     }
 
-  private:
+private:
     [[nodiscard]] std::size_t find(Index row, Index column) const;
 
     std::vector<std::size_t> offsets_;

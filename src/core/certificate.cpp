@@ -38,7 +38,7 @@ std::vector<double> member_forces(const Scene &scene, const Points &nodes, doubl
 
 /// An orthonormal set of the directions that a node's rigid supports hold, grown one direction at a time.
 class HeldDirections {
-  public:
+public:
     void hold(const Support &support) {
         const Vector3 along = support.direction / support.direction.stableNorm();
         if (support.kind == SupportKind::on_plane)
@@ -57,7 +57,7 @@ class HeldDirections {
         return part;
     }
 
-  private:
+private:
     void hold(Vector3 direction) {
         // Planes that meet at less than about 1e-4 rad count as one.
         for (const Vector3 &held : directions_)
@@ -82,16 +82,19 @@ Vector3 elastic_reaction(const Support &support, const Vector3 &motion) {
     return support.stiffness * motion;
 }
 
-bool is_elastic(const Support &support) { return std::isfinite(support.stiffness) && support.stiffness > 0; }
+bool is_elastic(const Support &support) {
+    return std::isfinite(support.stiffness) && support.stiffness > 0;
+}
 
 } // namespace
 
-Certificate certify(const Scene &scene, const Points &centred_nodes, const Points *reactions, double tolerance) {
+Certificate certify(const Scene &scene, const Points &centred_nodes, const Points *reactions,
+                    double tolerance) {
     const Net &net = scene.net();
     const Index n = net.node_count();
     if (centred_nodes.rows() != n)
-        throw InvalidInput("result has " + std::to_string(centred_nodes.rows()) + " nodes, but the scene's net has " +
-                           std::to_string(n));
+        throw InvalidInput("result has " + std::to_string(centred_nodes.rows()) +
+                           " nodes, but the scene's net has " + std::to_string(n));
     Certificate certificate;
     certificate.tolerance = tolerance;
 
@@ -128,7 +131,8 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
             if (std::isinf(support.stiffness)) {
                 held[node].hold(support);
             } else if (is_elastic(support)) {
-                const Vector3 motion = (centred_nodes.row(node) - net.nodes().row(node)).transpose() + net.centre();
+                const Vector3 motion =
+                    (centred_nodes.row(node) - net.nodes().row(node)).transpose() + net.centre();
                 const Vector3 reaction = elastic_reaction(support, motion);
                 recomputed.row(node) += reaction.transpose();
                 unbalanced.row(node) += reaction.transpose();
@@ -151,7 +155,8 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
     const double unit = load_sum > 0 ? load_sum / n : force_sum / net.member_count();
     certificate.max_residual = worst > 0 ? worst / unit : 0;
     const double reach = centred_nodes.cwiseAbs().maxCoeff();
-    const double rounding = unit > 0 ? 64 * std::numeric_limits<double>::epsilon() * stiffest * reach / unit : 0;
+    const double rounding =
+        unit > 0 ? 64 * std::numeric_limits<double>::epsilon() * stiffest * reach / unit : 0;
     certificate.in_equilibrium = certificate.max_residual <= std::max(tolerance, rounding);
     certificate.compression_only = certificate.in_equilibrium && certificate.tension_members.empty();
 
@@ -173,18 +178,19 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
 
 std::string Certificate::summary() const {
     if (!in_equilibrium)
-        return "Not in equilibrium: the largest residual is " + to_text(max_residual) + " of the mean nodal load, where " +
-               to_text(tolerance) + " was asked for.";
+        return "Not in equilibrium: the largest residual is " + to_text(max_residual) +
+               " of the mean nodal load, where " + to_text(tolerance) + " was asked for.";
     std::string text;
     if (compression_only)
         text = "Compression only";
     else
         text = std::to_string(tension_members.size()) +
-               (tension_members.size() == 1 ? " member is in tension, " : " members are in tension, the worst ") +
+               (tension_members.size() == 1 ? " member is in tension, "
+                                            : " members are in tension, the worst ") +
                (tension_members.size() == 1 ? "of " : "") + to_text(worst_tension) + " N";
     if (!slack_members.empty())
-        text += "; " + std::to_string(slack_members.size()) + (slack_members.size() == 1 ? " member is" : " members are") +
-                " slack and can be left out";
+        text += "; " + std::to_string(slack_members.size()) +
+                (slack_members.size() == 1 ? " member is" : " members are") + " slack and can be left out";
     return text + ".";
 }
 

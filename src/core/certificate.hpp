@@ -11,8 +11,9 @@ namespace funicular {
 
 /// What an independent recomputation says of a shape. SI units, in the sense of the built structure.
 ///
-/// Recomputed from the net's nodes, the parts of the scene as they were described, and this file's own formulas; it includes
-/// nothing of the solver. It is not a proof that the structure is safe: members are straight bars on pin joints here.
+/// Recomputed from the net's nodes, the parts of the scene as they were described, and this file's own
+/// formulas; it includes nothing of the solver. It is not a proof that the structure is safe: members are
+/// straight bars on pin joints here.
 struct Certificate {
     /// In equilibrium, and no member in tension.
     bool compression_only = false;
@@ -38,9 +39,10 @@ struct Certificate {
 };
 
 /// \param centred_nodes shape relative to the net's centre [m]
-/// \param reactions     of the built structure [N], whose balance with the loads is certified; recomputed if null
-/// \param tolerance     relative residual up to which it counts as equilibrium
-/// \throws InvalidInput if the shape does not fit the scene's net
-[[nodiscard]] Certificate certify(const Scene &scene, const Points &centred_nodes, const Points *reactions, double tolerance);
+/// \param reactions     of the built structure [N], whose balance with the loads is certified; recomputed if
+/// null \param tolerance     relative residual up to which it counts as equilibrium \throws InvalidInput if
+/// the shape does not fit the scene's net
+[[nodiscard]] Certificate certify(const Scene &scene, const Points &centred_nodes, const Points *reactions,
+                                  double tolerance);
 
 } // namespace funicular

@@ -72,11 +72,12 @@ std::vector<double> angle_shares(const std::vector<Vector3> &corners) {
 }
 
 /// Part of a plane polygon where `normal`·p <= `limit`.
-std::vector<Vector2> half_plane_part(const std::vector<Vector2> &polygon, const Vector2 &normal, double limit) {
+std::vector<Vector2> half_plane_part(const std::vector<Vector2> &polygon, const Vector2 &normal,
+                                     double limit) {
     std::vector<Vector2> part;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vector2 from = polygon[k];
-        const Vector2 to = polygon[(k + 1) % polygon.size()];
+        const Vector2 &from = polygon[k];
+        const Vector2 &to = polygon[(k + 1) % polygon.size()];
         const double height_from = normal.dot(from) - limit;
         const double height_to = normal.dot(to) - limit;
         if (height_from <= 0)
@@ -110,7 +111,8 @@ std::vector<double> nearest_areas(const std::vector<Vector3> &corners) {
             continue;
         const Vector3 first = from.normalized();
         const Vector3 second = normal.cross(from).normalized();
-        const std::vector<Vector2> triangle{Vector2::Zero(), {first.dot(from), second.dot(from)}, {first.dot(to), second.dot(to)}};
+        const std::vector<Vector2> triangle{
+            Vector2::Zero(), {first.dot(from), second.dot(from)}, {first.dot(to), second.dot(to)}};
         for (std::size_t own = 0; own < count; ++own) {
             std::vector<Vector2> cell = triangle;
             for (std::size_t other = 0; other < count; ++other) {
@@ -118,7 +120,8 @@ std::vector<double> nearest_areas(const std::vector<Vector3> &corners) {
                 const Vector3 a = corners[own] - middle;
                 const Vector3 b = corners[other] - middle;
                 if (other != own)
-                    cell = half_plane_part(cell, {2 * first.dot(b - a), 2 * second.dot(b - a)}, b.squaredNorm() - a.squaredNorm());
+                    cell = half_plane_part(cell, {2 * first.dot(b - a), 2 * second.dot(b - a)},
+                                           b.squaredNorm() - a.squaredNorm());
             }
             areas[own] += plane_area(cell);
         }
@@ -126,7 +129,8 @@ std::vector<double> nearest_areas(const std::vector<Vector3> &corners) {
     return areas;
 }
 
-void add(const AxialStiffness & /*effect*/, const Net & /*net*/, const Points & /*nodes*/, Points & /*loads*/) {}
+void add(const AxialStiffness & /*effect*/, const Net & /*net*/, const Points & /*nodes*/,
+         Points & /*loads*/) {}
 
 void add(const MemberWeight &effect, const Net &net, const Points &nodes, Points &loads) {
     for (const auto &[i, j] : net.members()) {
@@ -178,7 +182,8 @@ void add(const Snow &effect, const Net &net, const Points &nodes, Points &loads)
 
 } // namespace
 
-Points certificate_loads(const Net &net, const std::vector<EffectDescription> &effects, const Points &centred_nodes) {
+Points certificate_loads(const Net &net, const std::vector<EffectDescription> &effects,
+                         const Points &centred_nodes) {
     Points loads = Points::Zero(net.node_count(), 3);
     for (const auto &effect : effects)
         std::visit([&](const auto &part) { add(part, net, centred_nodes, loads); }, effect);

@@ -10,6 +10,7 @@ namespace funicular {
 
 /// Loads [N] on the built structure at a shape, by formulas that share nothing with the solver's effects.
 /// \param centred_nodes shape [m]
-[[nodiscard]] Points certificate_loads(const Net &net, const std::vector<EffectDescription> &effects, const Points &centred_nodes);
+[[nodiscard]] Points certificate_loads(const Net &net, const std::vector<EffectDescription> &effects,
+                                       const Points &centred_nodes);
 
 } // namespace funicular

@@ -10,16 +10,19 @@
 namespace funicular {
 
 Equilibrium::Equilibrium(std::shared_ptr<const Scene> scene)
-    : scene_(std::move(scene)), costs_(scene_->acting().size()),
-      forces_(scene_->net().node_count(), 3), loads_(scene_->net().node_count(), 3) {
+    : scene_(std::move(scene)), costs_(scene_->acting().size()), forces_(scene_->net().node_count(), 3),
+      loads_(scene_->net().node_count(), 3) {
     std::vector<double> summed(scene_->net().node_count(), 0.0);
     for (Index e = 0; e < scene_->net().member_count(); ++e)
         for (const Index end : scene_->net().members()[e])
             summed[end] += scene_->axial().stiffness()[e];
+    for (const auto &support : scene_->elastic_supports())
+        summed[support.node] += support.stiffness.diagonal().maxCoeff();
     stiffest_node_ = *std::max_element(summed.begin(), summed.end());
 }
 
-template <class Work> void Equilibrium::timed(std::size_t effect, const Work &work) {
+template <class Work>
+void Equilibrium::timed(std::size_t effect, const Work &work) {
     const auto begin = std::chrono::steady_clock::now();
     work();
     ++costs_[effect].evaluations;
@@ -37,7 +40,8 @@ void Equilibrium::evaluate(const Points &x) {
         if (!acting[k]->is_load())
             timed(k, [&] { acting[k]->add_forces(x, forces_); });
     for (const auto &support : scene_->elastic_supports())
-        forces_.row(support.node) -= (support.stiffness * (x.row(support.node).transpose() - support.anchor)).transpose();
+        forces_.row(support.node) -=
+            (support.stiffness * (x.row(support.node).transpose() - support.anchor)).transpose();
     measure_residual(x);
 }
 
@@ -60,8 +64,8 @@ void Equilibrium::measure_residual(const Points &x) {
 
     constexpr double units_in_last_place = 4;
     rounding_floor_ = mean_nodal_load_ == 0 ? 0
-                                            : units_in_last_place * std::numeric_limits<double>::epsilon() * stiffest_node_ *
-                                                  x.cwiseAbs().maxCoeff() / mean_nodal_load_;
+                                            : units_in_last_place * std::numeric_limits<double>::epsilon() *
+                                                  stiffest_node_ * x.cwiseAbs().maxCoeff() / mean_nodal_load_;
 }
 
 Coupling Equilibrium::coupling() const {
@@ -85,7 +89,8 @@ void Equilibrium::tangent(const Points &x, AxialForces::Regularisation regularis
             timed(k, [&] { acting[k]->add_tangent(x, tangent); });
 }
 
-void Equilibrium::member_tangent(const Points &x, AxialForces::Regularisation regularisation, BlockMatrix &tangent) {
+void Equilibrium::member_tangent(const Points &x, AxialForces::Regularisation regularisation,
+                                 BlockMatrix &tangent) {
     tangent.set_zero();
     // The members' pull stands first among what acts.
     timed(0, [&] { scene_->axial().add_tangent(x, regularisation, tangent); });

@@ -21,7 +21,7 @@ struct Cost {
 /// Forces and tangent at a shape, of the effects that are present and no others; counts what each one costs.
 /// In the scene's own units and in the sense of form finding.
 class Equilibrium {
-  public:
+public:
     explicit Equilibrium(std::shared_ptr<const Scene> scene);
 
     [[nodiscard]] const Scene &scene() const { return *scene_; }
@@ -34,19 +34,21 @@ class Equilibrium {
     [[nodiscard]] const Points &loads() const { return loads_; }
     /// r_i = P_i (sum of forces on node i), as components along the free directions.
     [[nodiscard]] const Eigen::VectorXd &residual() const { return residual_; }
-    /// Mean of |load| over the nodes; of the members' pull if there is no load at all, so that a residual can be relative.
+    /// Mean of |load| over the nodes; of the members' pull if there is no load at all, so that a residual can
+    /// be relative.
     [[nodiscard]] double mean_nodal_load() const { return mean_nodal_load_; }
     /// max_i |r_i| / mean nodal load.
     [[nodiscard]] double relative_residual() const { return relative_residual_; }
-    /// What remains of the relative residual in exact equilibrium, from the rounding of positions: a stiff member turns one
-    /// unit in the last place of its ends into a force.
+    /// What remains of the relative residual in exact equilibrium, from the rounding of positions: a stiff
+    /// member turns one unit in the last place of its ends into a force.
     [[nodiscard]] double rounding_floor() const { return rounding_floor_; }
 
     /// The pairs of nodes that the effects present couple, and no others.
     [[nodiscard]] Coupling coupling() const;
     /// The pairs that members couple.
     [[nodiscard]] Coupling member_coupling() const;
-    /// -∂(forces)/∂x at x. With a regularisation it is that of a net whose members are all under a notional pull.
+    /// -∂(forces)/∂x at x. With a regularisation it is that of a net whose members are all under a notional
+    /// pull.
     void tangent(const Points &x, AxialForces::Regularisation regularisation, BlockMatrix &tangent);
     /// The symmetric part that members and elastic supports give.
     void member_tangent(const Points &x, AxialForces::Regularisation regularisation, BlockMatrix &tangent);
@@ -56,8 +58,9 @@ class Equilibrium {
     /// Counts what another equilibrium of the same effects has cost as this one's.
     void add_costs_of(const Equilibrium &other);
 
-  private:
-    template <class Work> void timed(std::size_t effect, const Work &work);
+private:
+    template <class Work>
+    void timed(std::size_t effect, const Work &work);
     void measure_residual(const Points &x);
 
     std::shared_ptr<const Scene> scene_;

@@ -7,7 +7,7 @@ namespace funicular {
 
 /// The caller's data is wrong. The message names the argument, the first offending index and the way out.
 class InvalidInput : public std::invalid_argument {
-  public:
+public:
     using std::invalid_argument::invalid_argument;
 };
 

@@ -15,7 +15,8 @@ constexpr std::array<std::pair<Pattern, const char *>, 1> pattern_names{{{Patter
 constexpr std::array<std::pair<Side, const char *>, 4> side_names{
     {{Side::u_min, "u_min"}, {Side::u_max, "u_max"}, {Side::v_min, "v_min"}, {Side::v_max, "v_max"}}};
 
-template <class Names> auto value_from_name(const Names &names, const std::string &name, const char *argument) {
+template <class Names>
+auto value_from_name(const Names &names, const std::string &name, const char *argument) {
     std::string known;
     for (const auto &[value, text] : names) {
         if (name == text)
@@ -25,14 +26,17 @@ template <class Names> auto value_from_name(const Names &names, const std::strin
     throw InvalidInput(std::string(argument) + " '" + name + "' is not known; choose one of: " + known);
 }
 
-template <class Names, class Value> std::string name_from_value(const Names &names, Value value) {
-    return std::find_if(names.begin(), names.end(), [value](const auto &entry) { return entry.first == value; })->second;
+template <class Names, class Value>
+std::string name_from_value(const Names &names, Value value) {
+    return std::find_if(names.begin(), names.end(),
+                        [value](const auto &entry) { return entry.first == value; })
+        ->second;
 }
 
-/// The lattice points and what a pattern lays on them: closed directions wrap and poles are one node, so that a
-/// pattern never has to know.
+/// The lattice points and what a pattern lays on them: closed directions wrap and poles are one node, so that
+/// a pattern never has to know.
 class Grid {
-  public:
+public:
     explicit Grid(const LatticeRecipe &recipe) : recipe_(recipe) {
         points_.resize(static_cast<std::size_t>(recipe.cells_u + 1) * (recipe.cells_v + 1), -1);
         for (Index j = 0; j <= recipe.cells_v; ++j)
@@ -48,7 +52,8 @@ class Grid {
     /// Node at lattice point (i, j), 0 <= i <= cells_u, 0 <= j <= cells_v.
     [[nodiscard]] Index node(Index i, Index j) const { return points_[j * (recipe_.cells_u + 1) + i]; }
 
-    /// The seam of a closed direction and the rim of a pole are left out: they would be members twice or of no length.
+    /// The seam of a closed direction and the rim of a pole are left out: they would be members twice or of
+    /// no length.
     void add_member(Index a, Index b) {
         if (a != b)
             members.push_back({a, b});
@@ -67,7 +72,7 @@ class Grid {
     std::vector<Member> members;
     Panels panels;
 
-  private:
+private:
     Index &point(Index i, Index j) { return points_[j * (recipe_.cells_u + 1) + i]; }
 
     [[nodiscard]] bool is_pole(Side side) const {
@@ -101,7 +106,8 @@ void lay_quads(Grid &grid) {
             grid.add_member(grid.node(i, j), grid.node(i, j + 1));
     for (Index j = 0; j < grid.cells_v(); ++j)
         for (Index i = 0; i < grid.cells_u(); ++i)
-            grid.add_panel({grid.node(i, j), grid.node(i + 1, j), grid.node(i + 1, j + 1), grid.node(i, j + 1)});
+            grid.add_panel(
+                {grid.node(i, j), grid.node(i + 1, j), grid.node(i + 1, j + 1), grid.node(i, j + 1)});
 }
 
 void lay(Pattern pattern, Grid &grid) {
@@ -121,7 +127,8 @@ void check_direction(const LatticeRecipe &recipe, char direction) {
     });
     const std::string name = std::string("cells_") + direction;
     if (closed && poles > 0)
-        throw InvalidInput(std::string("poles: a side of the closed direction ") + direction + " cannot be a pole");
+        throw InvalidInput(std::string("poles: a side of the closed direction ") + direction +
+                           " cannot be a pole");
     const Index least = closed ? 3 : poles > 1 ? 2 : 1;
     if (cells < least)
         throw InvalidInput(name + " must be at least " + std::to_string(least) +
@@ -129,15 +136,24 @@ void check_direction(const LatticeRecipe &recipe, char direction) {
                             : poles > 1 ? " between two poles"
                                         : ""));
     if (cells > max_lattice_cells)
-        throw InvalidInput(name + " must not exceed " + std::to_string(max_lattice_cells) + ": choose a larger step");
+        throw InvalidInput(name + " must not exceed " + std::to_string(max_lattice_cells) +
+                           ": choose a larger step");
 }
 
 } // namespace
 
-Pattern pattern_from_name(const std::string &name) { return value_from_name(pattern_names, name, "pattern"); }
-std::string pattern_name(Pattern pattern) { return name_from_value(pattern_names, pattern); }
-Side side_from_name(const std::string &name) { return value_from_name(side_names, name, "poles"); }
-std::string side_name(Side side) { return name_from_value(side_names, side); }
+Pattern pattern_from_name(const std::string &name) {
+    return value_from_name(pattern_names, name, "pattern");
+}
+std::string pattern_name(Pattern pattern) {
+    return name_from_value(pattern_names, pattern);
+}
+Side side_from_name(const std::string &name) {
+    return value_from_name(side_names, name, "poles");
+}
+std::string side_name(Side side) {
+    return name_from_value(side_names, side);
+}
 
 Lattice::Lattice(LatticeRecipe recipe) : recipe_(std::move(recipe)) {
     auto &poles = recipe_.poles;
@@ -145,7 +161,9 @@ Lattice::Lattice(LatticeRecipe recipe) : recipe_(std::move(recipe)) {
     poles.erase(std::unique(poles.begin(), poles.end()), poles.end());
     check_direction(recipe_, 'u');
     check_direction(recipe_, 'v');
-    const auto has = [&poles](Side side) { return std::find(poles.begin(), poles.end(), side) != poles.end(); };
+    const auto has = [&poles](Side side) {
+        return std::find(poles.begin(), poles.end(), side) != poles.end();
+    };
     if ((has(Side::u_min) || has(Side::u_max)) && (has(Side::v_min) || has(Side::v_max)))
         throw InvalidInput("poles: sides of u and of v cannot both be poles, as they would be one point");
 
@@ -161,19 +179,21 @@ Lattice::Lattice(LatticeRecipe recipe) : recipe_(std::move(recipe)) {
     const Index m = recipe_.cells_u;
     const Index n = recipe_.cells_v;
     const auto along = [](Index count, bool closed, const auto &node_at) {
-        std::vector<Index> nodes;
-        for (Index k = 0; k < (closed ? count : count + 1); ++k)
-            nodes.push_back(node_at(k));
+        std::vector<Index> nodes(closed ? count : count + 1);
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+            nodes[k] = node_at(static_cast<Index>(k));
         return nodes;
     };
     if (!recipe_.closed_u)
         for (const auto &[side, i] : {std::pair{Side::u_min, 0}, std::pair{Side::u_max, m}})
             if (!has(side))
-                sides_[side] = along(n, recipe_.closed_v, [&grid, i = i](Index j) { return grid.node(i, j); });
+                sides_[side] =
+                    along(n, recipe_.closed_v, [&grid, i = i](Index j) { return grid.node(i, j); });
     if (!recipe_.closed_v)
         for (const auto &[side, j] : {std::pair{Side::v_min, 0}, std::pair{Side::v_max, n}})
             if (!has(side))
-                sides_[side] = along(m, recipe_.closed_u, [&grid, j = j](Index i) { return grid.node(i, j); });
+                sides_[side] =
+                    along(m, recipe_.closed_u, [&grid, j = j](Index i) { return grid.node(i, j); });
     if (!recipe_.closed_u && !recipe_.closed_v) {
         corners_ = {grid.node(0, 0), grid.node(m, 0), grid.node(m, n), grid.node(0, n)};
         std::sort(corners_.begin(), corners_.end());
@@ -187,7 +207,8 @@ std::shared_ptr<const Net> make_net(std::shared_ptr<const Lattice> lattice, Poin
                            std::to_string(lattice->uv().rows()) + " nodes");
     auto members = lattice->members();
     auto panels = lattice->panels();
-    return std::make_shared<const Net>(std::move(nodes), std::move(members), std::move(panels), std::move(lattice));
+    return std::make_shared<const Net>(std::move(nodes), std::move(members), std::move(panels),
+                                       std::move(lattice));
 }
 
 } // namespace funicular

@@ -38,8 +38,9 @@ struct LatticeRecipe {
 
 /// Connectivity on the unit (u, v) square, without positions in space.
 class Lattice {
-  public:
-    /// \throws InvalidInput unless there is at least one cell each way (three where closed, two between two poles), and
+public:
+    /// \throws InvalidInput unless there is at least one cell each way (three where closed, two between two
+    /// poles), and
     ///         poles lie on open sides of one direction only.
     explicit Lattice(LatticeRecipe recipe);
 
@@ -53,7 +54,7 @@ class Lattice {
     /// Nodes along each side that is neither closed nor a pole, in order of the other coordinate.
     [[nodiscard]] const std::map<Side, std::vector<Index>> &sides() const { return sides_; }
 
-  private:
+private:
     LatticeRecipe recipe_;
     Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> uv_;
     std::vector<Member> members_;

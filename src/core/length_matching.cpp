@@ -15,8 +15,8 @@ constexpr int patience = 3;
 
 void check_same_net(const Scene &scene, const Result &result) {
     if (result.member_lengths.size() != scene.net().member_count())
-        throw InvalidInput("result has " + std::to_string(result.member_lengths.size()) + " members, but the scene's net has " +
-                           std::to_string(scene.net().member_count()));
+        throw InvalidInput("result has " + std::to_string(result.member_lengths.size()) +
+                           " members, but the scene's net has " + std::to_string(scene.net().member_count()));
 }
 
 } // namespace
@@ -25,7 +25,8 @@ std::shared_ptr<const Scene> match_lengths(const Scene &scene, const Result &res
     check_same_net(scene, result);
     for (Index e = 0; e < result.member_lengths.size(); ++e)
         if (!(result.member_lengths[e] > 0))
-            throw InvalidInput("result: member " + std::to_string(e) + " has shrunk to no length; its rest length cannot be matched");
+            throw InvalidInput("result: member " + std::to_string(e) +
+                               " has shrunk to no length; its rest length cannot be matched");
     const Eigen::VectorXd matched =
         scene.rest_lengths().array() * scene.net().source_lengths().array() / result.member_lengths.array();
     return std::make_shared<const Scene>(scene.with_rest_lengths(matched));
@@ -33,10 +34,12 @@ std::shared_ptr<const Scene> match_lengths(const Scene &scene, const Result &res
 
 double length_deviation(const Scene &scene, const Result &result) {
     check_same_net(scene, result);
-    return std::sqrt((result.member_lengths.array() / scene.net().source_lengths().array() - 1).square().mean());
+    return std::sqrt(
+        (result.member_lengths.array() / scene.net().source_lengths().array() - 1).square().mean());
 }
 
-LengthMatching solve_matching_lengths(std::shared_ptr<const Scene> scene, Index rounds, SolveOptions options) {
+LengthMatching solve_matching_lengths(std::shared_ptr<const Scene> scene, Index rounds,
+                                      SolveOptions options) {
     if (rounds < 0)
         throw InvalidInput("rounds must be zero or positive");
     LengthMatching best;

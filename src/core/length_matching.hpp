@@ -8,9 +8,9 @@
 
 namespace funicular {
 
-/// The scene with rest lengths r ← r L / l', L a member's length in the source net and l' in the result (paper section 4.2;
-/// its equation (1) is meant so: l'² / L, the other reading, diverges).
-/// \throws InvalidInput if the result is not one of this scene's net, or a member has shrunk to nothing
+/// The scene with rest lengths r ← r L / l', L a member's length in the source net and l' in the result
+/// (paper section 4.2; its equation (1) is meant so: l'² / L, the other reading, diverges). \throws
+/// InvalidInput if the result is not one of this scene's net, or a member has shrunk to nothing
 [[nodiscard]] std::shared_ptr<const Scene> match_lengths(const Scene &scene, const Result &result);
 
 /// Root mean square over the members of (l' - L) / L.
@@ -27,10 +27,11 @@ struct LengthMatching {
     bool stopped_improving = false;
 };
 
-/// Solves and matches `rounds` times, each from the shape before. Matching need not converge: it gets nearer for some rounds
-/// and then drifts, so the best is kept, and it ends when three rounds in a row have brought nothing.
-/// A round that ends without equilibrium ends the matching; if it is the first one, that result is returned.
-/// \throws InvalidInput for a negative number of rounds
-[[nodiscard]] LengthMatching solve_matching_lengths(std::shared_ptr<const Scene> scene, Index rounds, SolveOptions options = {});
+/// Solves and matches `rounds` times, each from the shape before. Matching need not converge: it gets nearer
+/// for some rounds and then drifts, so the best is kept, and it ends when three rounds in a row have brought
+/// nothing. A round that ends without equilibrium ends the matching; if it is the first one, that result is
+/// returned. \throws InvalidInput for a negative number of rounds
+[[nodiscard]] LengthMatching solve_matching_lengths(std::shared_ptr<const Scene> scene, Index rounds,
+                                                    SolveOptions options = {});
 
 } // namespace funicular

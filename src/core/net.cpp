@@ -18,7 +18,9 @@ namespace {
 // Shorter than this part of the net's size, a member has no direction left to compute with.
 constexpr double zero_length = 1e-12;
 
-std::string name_of(const char *argument, Index at) { return std::string(argument) + "[" + std::to_string(at) + "]"; }
+std::string name_of(const char *argument, Index at) {
+    return std::string(argument) + "[" + std::to_string(at) + "]";
+}
 
 /// An edge whatever its direction, as one sortable number.
 std::uint64_t edge_key(Index a, Index b) {
@@ -28,8 +30,8 @@ std::uint64_t edge_key(Index a, Index b) {
 
 void check_node_number(Index node, Index node_count, const std::string &where) {
     if (node < 0 || node >= node_count)
-        throw InvalidInput(where + " refers to node " + std::to_string(node) + ", but the net has nodes 0 to " +
-                           std::to_string(node_count - 1));
+        throw InvalidInput(where + " refers to node " + std::to_string(node) +
+                           ", but the net has nodes 0 to " + std::to_string(node_count - 1));
 }
 
 void check_nodes(const Points &nodes) {
@@ -50,7 +52,8 @@ void check_members(const std::vector<Member> &members, Index node_count) {
         check_node_number(i, node_count, name_of("members", e));
         check_node_number(j, node_count, name_of("members", e));
         if (i == j)
-            throw InvalidInput(name_of("members", e) + " joins node " + std::to_string(i) + " to itself: remove it");
+            throw InvalidInput(name_of("members", e) + " joins node " + std::to_string(i) +
+                               " to itself: remove it");
         edges.emplace_back(edge_key(i, j), e);
     }
     std::sort(edges.begin(), edges.end());
@@ -62,8 +65,8 @@ void check_members(const std::vector<Member> &members, Index node_count) {
             original = edges[k - 1].second;
         }
     if (first_repeat != std::numeric_limits<Index>::max())
-        throw InvalidInput(name_of("members", first_repeat) + " joins the same nodes as " + name_of("members", original) +
-                           ": keep one of them");
+        throw InvalidInput(name_of("members", first_repeat) + " joins the same nodes as " +
+                           name_of("members", original) + ": keep one of them");
 }
 
 void check_panels(const Panels &panels, Index node_count) {
@@ -89,11 +92,13 @@ void Panels::add(std::span<const Index> corners) {
 }
 
 std::span<const Index> Panels::operator[](Index panel) const {
-    return {corners_.data() + offsets_[panel], static_cast<std::size_t>(offsets_[panel + 1] - offsets_[panel])};
+    return {corners_.data() + offsets_[panel],
+            static_cast<std::size_t>(offsets_[panel + 1] - offsets_[panel])};
 }
 
 Net::Net(Points nodes, std::vector<Member> members, Panels panels, std::shared_ptr<const Lattice> lattice)
-    : nodes_(std::move(nodes)), members_(std::move(members)), panels_(std::move(panels)), lattice_(std::move(lattice)) {
+    : nodes_(std::move(nodes)), members_(std::move(members)), panels_(std::move(panels)),
+      lattice_(std::move(lattice)) {
     check_nodes(nodes_);
     check_members(members_, node_count());
     check_panels(panels_, node_count());
@@ -110,8 +115,8 @@ Net::Net(Points nodes, std::vector<Member> members, Panels panels, std::shared_p
         const auto [i, j] = members_[e];
         source_lengths_[e] = (nodes_.row(j) - nodes_.row(i)).norm();
         if (source_lengths_[e] <= zero_length * size_)
-            throw InvalidInput(name_of("members", e) + " has no length: its nodes " + std::to_string(i) + " and " +
-                               std::to_string(j) + " coincide; merge them");
+            throw InvalidInput(name_of("members", e) + " has no length: its nodes " + std::to_string(i) +
+                               " and " + std::to_string(j) + " coincide; merge them");
     }
 }
 
@@ -148,8 +153,8 @@ std::shared_ptr<const Net> flat_sheet(double width, double depth, double step, c
             throw InvalidInput("step is larger than " + std::string(name) + ": choose a smaller step");
         const double cells = std::round(extent / step);
         if (cells > max_lattice_cells)
-            throw InvalidInput("step is too small: it makes more than " + std::to_string(max_lattice_cells) + " cells along " +
-                               name);
+            throw InvalidInput("step is too small: it makes more than " + std::to_string(max_lattice_cells) +
+                               " cells along " + name);
         return static_cast<Index>(cells);
     };
     LatticeRecipe recipe;

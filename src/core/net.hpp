@@ -17,27 +17,30 @@ using Member = std::array<Index, 2>;
 
 /// Polygons of three or more nodes each, stored one after another.
 class Panels {
-  public:
+public:
     void add(std::span<const Index> corners);
     [[nodiscard]] Index size() const { return static_cast<Index>(offsets_.size()) - 1; }
     [[nodiscard]] bool empty() const { return size() == 0; }
     [[nodiscard]] std::span<const Index> operator[](Index panel) const;
 
-  private:
+private:
     std::vector<Index> offsets_{0};
     std::vector<Index> corners_;
 };
 
 /// Nodes joined by straight members, with panels (the covering) between them. Checked once, then immutable.
 class Net {
-  public:
+public:
     /// \param nodes   positions [m]
     /// \param members pairs of node numbers
     /// \param panels  node numbers around each panel, in order
     /// \param lattice the lattice that the net was made on, if any
-    /// \throws InvalidInput for an empty or non-finite input, a node number out of range, a member from a node to
-    ///         itself or of no length, a member given twice, a panel with fewer than three corners or a repeated one.
-    Net(Points nodes, std::vector<Member> members, Panels panels = {}, std::shared_ptr<const Lattice> lattice = nullptr);
+    /// \throws InvalidInput for an empty or non-finite input, a node number out of range, a member from a
+    /// node to
+    ///         itself or of no length, a member given twice, a panel with fewer than three corners or a
+    ///         repeated one.
+    Net(Points nodes, std::vector<Member> members, Panels panels = {},
+        std::shared_ptr<const Lattice> lattice = nullptr);
 
     [[nodiscard]] Index node_count() const { return static_cast<Index>(nodes_.rows()); }
     [[nodiscard]] Index member_count() const { return static_cast<Index>(members_.size()); }
@@ -48,7 +51,8 @@ class Net {
     /// Null for a net that was not made on a lattice.
     [[nodiscard]] const std::shared_ptr<const Lattice> &lattice() const { return lattice_; }
 
-    /// Centre of the net's bounding box [m]: computing relative to it keeps the digits of a net far from the origin.
+    /// Centre of the net's bounding box [m]: computing relative to it keeps the digits of a net far from the
+    /// origin.
     [[nodiscard]] const Vector3 &centre() const { return centre_; }
     /// Diagonal of the bounding box [m], positive.
     [[nodiscard]] double size() const { return size_; }
@@ -58,7 +62,7 @@ class Net {
     /// Nodes on panel edges that belong to one panel only, ascending.
     [[nodiscard]] std::vector<Index> border() const;
 
-  private:
+private:
     Points nodes_;
     std::vector<Member> members_;
     Panels panels_;
@@ -72,6 +76,7 @@ class Net {
 /// \param width,depth extents in x and y [m]
 /// \param step        wished member length [m]; rounded so that whole cells fit
 /// \throws InvalidInput unless 0 < step <= width, depth.
-[[nodiscard]] std::shared_ptr<const Net> flat_sheet(double width, double depth, double step, const char *pattern = "quad");
+[[nodiscard]] std::shared_ptr<const Net> flat_sheet(double width, double depth, double step,
+                                                    const char *pattern = "quad");
 
 } // namespace funicular

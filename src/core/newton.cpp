@@ -14,7 +14,8 @@ constexpr double accepted_overshoot = 0.5;
 constexpr int most_trials = 60;
 constexpr double least_motion = 1e-16;
 
-// So many steps in a row, each shorter than this part of what Newton's method asked for, call for softer members.
+// So many steps in a row, each shorter than this part of what Newton's method asked for, call for softer
+// members.
 constexpr int most_short_steps = 2;
 constexpr double short_step = 0.1;
 // The softest stage has this mean k r (EA) for each newton of load, where strains are moderate.
@@ -22,14 +23,18 @@ constexpr double softest_stiffness_per_load = 10;
 constexpr double first_stage_ratio = 10;
 constexpr double residual_of_stage = 1e-2;
 
-/// Whether the residual, having done work `begun` per step at the start, does not push back too hard at the end.
-bool is_acceptable(double work, double begun) { return work >= -accepted_overshoot * begun; }
+/// Whether the residual, having done work `begun` per step at the start, does not push back too hard at the
+/// end.
+bool is_acceptable(double work, double begun) {
+    return work >= -accepted_overshoot * begun;
+}
 
-/// A step length between one that falls short and one that overshoots. The work of a stretching member falls with the cube
-/// of the step from a flat start, so that a secant alone would creep.
+/// A step length between one that falls short and one that overshoots. The work of a stretching member falls
+/// with the cube of the step from a flat start, so that a secant alone would creep.
 double step_between(double low, double low_work, double high, double high_work) {
     const double secant = low + (high - low) * low_work / (low_work - high_work);
-    const double middle = low > 0 ? std::sqrt(low * high) : high * std::cbrt(low_work / (low_work - high_work));
+    const double middle =
+        low > 0 ? std::sqrt(low * high) : high * std::cbrt(low_work / (low_work - high_work));
     return std::clamp(std::max(secant, middle), low + 0.05 * (high - low), high - 0.05 * (high - low));
 }
 
@@ -38,7 +43,8 @@ double softest_factor(const Equilibrium &equilibrium) {
     const Scene &scene = equilibrium.scene();
     const double whole_load = equilibrium.mean_nodal_load() * scene.net().node_count();
     const double mean_stiffness =
-        (scene.axial().stiffness().array() * scene.net().source_lengths().array()).mean() / scene.scale().length;
+        (scene.axial().stiffness().array() * scene.net().source_lengths().array()).mean() /
+        scene.scale().length;
     return softest_stiffness_per_load * whole_load / mean_stiffness;
 }
 
@@ -48,7 +54,8 @@ double Newton::position_error(const Points &x, Equilibrium &equilibrium, const G
     while (softened_ && softened_->relative_residual() <= residual_of_stage)
         stiffen(x, equilibrium);
     direction_.compute(x, softened_ ? *softened_ : equilibrium);
-    return !softened_ && direction_.is_newton_step() ? direction_.largest_motion() : std::numeric_limits<double>::infinity();
+    return !softened_ && direction_.is_newton_step() ? direction_.largest_motion()
+                                                     : std::numeric_limits<double>::infinity();
 }
 
 Iteration::Move Newton::move(Points &x, Equilibrium &equilibrium) {
@@ -60,7 +67,8 @@ Iteration::Move Newton::move(Points &x, Equilibrium &equilibrium) {
         return Move::made;
     }
     short_steps_ = taken < short_step ? short_steps_ + 1 : 0;
-    if (!has_softened_ && (taken == 0 || short_steps_ >= most_short_steps) && softest_factor(equilibrium) < 1) {
+    if (!has_softened_ && (taken == 0 || short_steps_ >= most_short_steps) &&
+        softest_factor(equilibrium) < 1) {
         soften(x, equilibrium);
         return Move::made;
     }

@@ -10,22 +10,22 @@ namespace funicular {
 
 /// Newton's method with a line search on the work of the residual.
 ///
-/// The load depends on the shape and has no potential, so that no energy can judge a step. What exists is the work that the
-/// out-of-balance force does along the step, G(t) = r(x + t d)·d: a step ends where it has nearly vanished (Matthies and
-/// Strang, "The solution of nonlinear finite element equations", 1979).
+/// The load depends on the shape and has no potential, so that no energy can judge a step. What exists is the
+/// work that the out-of-balance force does along the step, G(t) = r(x + t d)·d: a step ends where it has
+/// nearly vanished (Matthies and Strang, "The solution of nonlinear finite element equations", 1979).
 ///
-/// Far from equilibrium, stiff members allow only short steps, as every rotation stretches them. When that happens the scene
-/// is solved with softer members first, and then with stiffer ones from there: the error left by a stage falls with the
-/// strain, so that the factor between stages may be squared each time.
+/// Far from equilibrium, stiff members allow only short steps, as every rotation stretches them. When that
+/// happens the scene is solved with softer members first, and then with stiffer ones from there: the error
+/// left by a stage falls with the strain, so that the factor between stages may be squared each time.
 class Newton final : public Iteration {
-  public:
+public:
     explicit Newton(const Equilibrium &equilibrium) : direction_(equilibrium) {}
 
     /// The largest node's motion in the Newton step from x; infinite if that step could not be had.
     [[nodiscard]] double position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) override;
     Move move(Points &x, Equilibrium &equilibrium) override;
 
-  private:
+private:
     /// Moves along the direction. Returns the part of the wished step that was taken, zero if none could be.
     double search(Points &x, Equilibrium &stage);
     void soften(const Points &x, const Equilibrium &equilibrium);

@@ -11,14 +11,15 @@ namespace funicular {
 
 namespace {
 
-// The notional pull that stands in where members give no stiffness (a flat sheet, a slack member), as part of the force
-// density that carries the whole load over the net's size. It fades with the residual, so that Newton's method keeps its
-// order; the last two figures keep the factorisation possible.
+// The notional pull that stands in where members give no stiffness (a flat sheet, a slack member), as part of
+// the force density that carries the whole load over the net's size. It fades with the residual, so that
+// Newton's method keeps its order; the last two figures keep the factorisation possible.
 constexpr double notional_pull = 0.1;
 constexpr double least_pull = 1e-10;
 constexpr double least_pull_of_stiffness = 1e-13;
 
-// Near equilibrium the negative stiffness of members that push belongs into the tangent; farther off it leads astray.
+// Near equilibrium the negative stiffness of members that push belongs into the tangent; farther off it leads
+// astray.
 constexpr double near_equilibrium = 0.1;
 // Below this residual a failed iteration is worth a direct factorisation of the unsymmetric tangent.
 constexpr double close_to_equilibrium = 1e-3;
@@ -28,20 +29,33 @@ double notional_force_density(const Equilibrium &equilibrium) {
     const double whole_load = equilibrium.mean_nodal_load() * scene.net().node_count();
     const double size = scene.net().size() / scene.scale().length;
     const double part = std::clamp(equilibrium.relative_residual(), least_pull, 1.0);
-    return std::max(notional_pull * part * whole_load / size, least_pull_of_stiffness * scene.axial().stiffness().maxCoeff());
+    return std::max(notional_pull * part * whole_load / size,
+                    least_pull_of_stiffness * scene.axial().stiffness().maxCoeff());
 }
 
 /// Lets an iterative solver of Eigen's use a factorisation as its preconditioner.
 class Preconditioner {
-  public:
+public:
     void use(const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> &factor) { factor_ = &factor; }
-    template <class Matrix> Preconditioner &analyzePattern(const Matrix & /*matrix*/) { return *this; }
-    template <class Matrix> Preconditioner &factorize(const Matrix & /*matrix*/) { return *this; }
-    template <class Matrix> Preconditioner &compute(const Matrix & /*matrix*/) { return *this; }
-    template <class Vector> [[nodiscard]] Eigen::VectorXd solve(const Vector &right) const { return factor_->solve(right); }
+    template <class Matrix>
+    Preconditioner &analyzePattern(const Matrix & /*matrix*/) {
+        return *this;
+    }
+    template <class Matrix>
+    Preconditioner &factorize(const Matrix & /*matrix*/) {
+        return *this;
+    }
+    template <class Matrix>
+    Preconditioner &compute(const Matrix & /*matrix*/) {
+        return *this;
+    }
+    template <class Vector>
+    [[nodiscard]] Eigen::VectorXd solve(const Vector &right) const {
+        return factor_->solve(right);
+    }
     [[nodiscard]] static Eigen::ComputationInfo info() { return Eigen::Success; }
 
-  private:
+private:
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> *factor_ = nullptr;
 };
 

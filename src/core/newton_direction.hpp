@@ -10,14 +10,15 @@ namespace funicular {
 
 /// The Newton step d of K d = r, K the tangent stiffness with the loads' own dependence on the shape.
 ///
-/// K is not symmetric, because heavier follows from longer and larger. Its part from the members, made positive definite by
-/// a notional pull, is factorised (LDLᵀ); the rest is a small disturbance that an iteration preconditioned by that factor
-/// (BiCGSTAB) takes care of in a few steps.
+/// K is not symmetric, because heavier follows from longer and larger. Its part from the members, made
+/// positive definite by a notional pull, is factorised (LDLᵀ); the rest is a small disturbance that an
+/// iteration preconditioned by that factor (BiCGSTAB) takes care of in a few steps.
 class NewtonDirection {
-  public:
+public:
     explicit NewtonDirection(const Equilibrium &equilibrium);
 
-    /// Computes d at x, where the equilibrium was evaluated. With d, r·d > 0: the residual does work along it.
+    /// Computes d at x, where the equilibrium was evaluated. With d, r·d > 0: the residual does work along
+    /// it.
     void compute(const Points &x, Equilibrium &equilibrium);
 
     /// Along the free directions.
@@ -26,10 +27,11 @@ class NewtonDirection {
     [[nodiscard]] const Points &motion() const { return motion_; }
     /// Largest motion of a node.
     [[nodiscard]] double largest_motion() const { return largest_motion_; }
-    /// Whether K d = r was solved. If not, d is the step of the members' part alone, and says nothing of the position error.
+    /// Whether K d = r was solved. If not, d is the step of the members' part alone, and says nothing of the
+    /// position error.
     [[nodiscard]] bool is_newton_step() const { return is_newton_step_; }
 
-  private:
+private:
     bool factorise(const Points &x, Equilibrium &equilibrium, double floor);
     bool solve_full_tangent(const Points &x, Equilibrium &equilibrium, double floor);
 

@@ -43,23 +43,24 @@ struct Report {
 
 /// A shape and what is known of it. SI units; forces in the sense of the built structure.
 struct Result {
-    Points nodes;                    ///< [m]
-    Eigen::VectorXd member_forces;   ///< [N], compression negative
-    Eigen::VectorXd member_lengths;  ///< [m]
-    Points reactions;                ///< [N], zero where unsupported
-    double residual = 0;             ///< max |r_i| / mean nodal load
-    double position_error = 0;       ///< [m]
+    Points nodes;                   ///< [m]
+    Eigen::VectorXd member_forces;  ///< [N], compression negative
+    Eigen::VectorXd member_lengths; ///< [m]
+    Points reactions;               ///< [N], zero where unsupported
+    double residual = 0;            ///< max |r_i| / mean nodal load
+    double position_error = 0;      ///< [m]
     long iterations = 0;
     double seconds = 0;
     Status status = Status::iteration_limit;
-    Method method = Method::newton;  ///< the one that was used
-    std::string message;             ///< why it ended, and what to do if that is not convergence
-    double tolerance = 0;            ///< relative residual that was asked for
-    double accuracy = 0;             ///< position error that was asked for [m]
-    std::vector<Report> history;     ///< one per iteration; of very many, evenly spaced ones
+    Method method = Method::newton; ///< the one that was used
+    std::string message;            ///< why it ended, and what to do if that is not convergence
+    double tolerance = 0;           ///< relative residual that was asked for
+    double accuracy = 0;            ///< position error that was asked for [m]
+    std::vector<Report> history;    ///< one per iteration; of very many, evenly spaced ones
     std::map<std::string, Cost> costs;
 
-    /// Positions relative to the net's centre [m]: a net far from the origin has digits here that `nodes` cannot hold.
+    /// Positions relative to the net's centre [m]: a net far from the origin has digits here that `nodes`
+    /// cannot hold.
     Points centred_nodes;
 };
 

@@ -7,8 +7,8 @@
 
 namespace funicular {
 
-/// The solver's own units: lengths of order one about the net's centre, forces of order one. The units are powers of two,
-/// so that changing to them and back is exact, and millimetres or kilometres are solved alike.
+/// The solver's own units: lengths of order one about the net's centre, forces of order one. The units are
+/// powers of two, so that changing to them and back is exact, and millimetres or kilometres are solved alike.
 struct Scale {
     Vector3 origin = Vector3::Zero(); ///< [m]
     double length = 1;                ///< [m]
@@ -23,6 +23,8 @@ struct Scale {
 };
 
 /// The power of two at or above a positive value.
-[[nodiscard]] inline double power_of_two_above(double value) { return std::exp2(std::ceil(std::log2(value))); }
+[[nodiscard]] inline double power_of_two_above(double value) {
+    return std::exp2(std::ceil(std::log2(value)));
+}
 
 } // namespace funicular

@@ -16,11 +16,21 @@ namespace funicular {
 
 namespace {
 
-bool is_absent(const AxialStiffness & /*effect*/) { return false; }
-bool is_absent(const MemberWeight &effect) { return effect.per_length == 0; }
-bool is_absent(const CoveringWeight &effect) { return effect.per_area == 0; }
-bool is_absent(const PointLoad &effect) { return effect.nodes.empty() || effect.force == Vector3::Zero(); }
-bool is_absent(const Snow &effect) { return effect.pressure == 0; }
+bool is_absent(const AxialStiffness & /*effect*/) {
+    return false;
+}
+bool is_absent(const MemberWeight &effect) {
+    return effect.per_length == 0;
+}
+bool is_absent(const CoveringWeight &effect) {
+    return effect.per_area == 0;
+}
+bool is_absent(const PointLoad &effect) {
+    return effect.nodes.empty() || effect.force == Vector3::Zero();
+}
+bool is_absent(const Snow &effect) {
+    return effect.pressure == 0;
+}
 
 std::shared_ptr<const Net> existing(std::shared_ptr<const Net> net) {
     if (!net)
@@ -36,11 +46,13 @@ Eigen::VectorXd checked_rest_lengths(const Net &net, std::optional<Eigen::Vector
                            std::to_string(net.member_count()) + " members");
     for (Index e = 0; e < given->size(); ++e)
         if (!((*given)[e] >= 0) || !std::isfinite((*given)[e]))
-            throw InvalidInput("rest_lengths[" + std::to_string(e) + "] must be zero or positive and finite, in metres");
+            throw InvalidInput("rest_lengths[" + std::to_string(e) +
+                               "] must be zero or positive and finite, in metres");
     return *std::move(given);
 }
 
-/// A rough nodal load [N], for the unit of force; no geometry is computed for it that the effects would not need.
+/// A rough nodal load [N], for the unit of force; no geometry is computed for it that the effects would not
+/// need.
 double rough_nodal_load(const Net &net, const std::vector<EffectDescription> &effects) {
     double load = 0;
     double stiffest = 0;
@@ -53,7 +65,8 @@ double rough_nodal_load(const Net &net, const std::vector<EffectDescription> &ef
             load += snow->pressure * net.size() * net.size();
         else if (const auto *point = std::get_if<PointLoad>(&effect))
             load += point->force.norm() * static_cast<double>(point->nodes.size());
-        else if (const auto *axial = std::get_if<AxialStiffness>(&effect); axial && axial->stiffness.size() > 0)
+        else if (const auto *axial = std::get_if<AxialStiffness>(&effect);
+                 axial && axial->stiffness.size() > 0)
             stiffest = axial->stiffness.maxCoeff();
     }
     // Without loads the members pull on one another only.
@@ -63,11 +76,12 @@ double rough_nodal_load(const Net &net, const std::vector<EffectDescription> &ef
 
 } // namespace
 
-Scene::Scene(std::shared_ptr<const Net> net, std::vector<Support> supports, std::vector<EffectDescription> effects,
-             std::optional<Eigen::VectorXd> rest_lengths)
+Scene::Scene(std::shared_ptr<const Net> net, std::vector<Support> supports,
+             const std::vector<EffectDescription> &effects, std::optional<Eigen::VectorXd> rest_lengths)
     : net_(existing(std::move(net))), supports_(std::move(supports)),
       rest_lengths_(checked_rest_lengths(*net_, std::move(rest_lengths))),
-      scale_{.origin = net_->centre(), .length = power_of_two_above(net_->size()),
+      scale_{.origin = net_->centre(),
+             .length = power_of_two_above(net_->size()),
              .force = power_of_two_above(rough_nodal_load(*net_, effects))},
       freedoms_(*net_, supports_) {
     check_every_component_is_held(*net_, supports_);

@@ -15,14 +15,17 @@ namespace funicular {
 class AxialForces;
 class Effect;
 
-/// A net with its supports and effects. Checked once, then immutable: what is here can be solved, by several threads at once.
+/// A net with its supports and effects. Checked once, then immutable: what is here can be solved, by several
+/// threads at once.
 class Scene {
-  public:
+public:
     /// An effect whose weight, pressure or force is zero is left out, as if it had not been given.
     /// \param rest_lengths one for each member [m]; the source lengths if not given
-    /// \throws InvalidInput if a part contradicts the net (see the parts), the members have no stiffness or two, or a
+    /// \throws InvalidInput if a part contradicts the net (see the parts), the members have no stiffness or
+    /// two, or a
     ///         connected part of the net is not held.
-    Scene(std::shared_ptr<const Net> net, std::vector<Support> supports, std::vector<EffectDescription> effects,
+    Scene(std::shared_ptr<const Net> net, std::vector<Support> supports,
+          const std::vector<EffectDescription> &effects,
           std::optional<Eigen::VectorXd> rest_lengths = std::nullopt);
 
     [[nodiscard]] const Net &net() const { return *net_; }
@@ -46,7 +49,7 @@ class Scene {
     [[nodiscard]] const std::vector<std::shared_ptr<const Effect>> &acting() const { return acting_; }
     [[nodiscard]] const AxialForces &axial() const { return *axial_; }
 
-  private:
+private:
     std::shared_ptr<const Net> net_;
     std::vector<Support> supports_;
     std::vector<EffectDescription> descriptions_;

@@ -19,14 +19,15 @@ struct Support {
     std::vector<Index> nodes;
     /// Direction of the line, or normal of the plane; unused by a fixed point. Need not be of unit length.
     Vector3 direction = Vector3::UnitZ();
-    /// Infinite: rigid. Finite: a spring [N/m] against the motion that is taken away, which weakens the support.
+    /// Infinite: rigid. Finite: a spring [N/m] against the motion that is taken away, which weakens the
+    /// support.
     double stiffness = std::numeric_limits<double>::infinity();
 };
 
 /// Members are springs (paper section 2): T = k (l - r).
 struct AxialStiffness {
-    /// EA [N], so that k = EA / r and refining a net does not soften it; or k itself [N/m] if `per_spring` (the paper's
-    /// constant). One value for all members, or one each.
+    /// EA [N], so that k = EA / r and refining a net does not soften it; or k itself [N/m] if `per_spring`
+    /// (the paper's constant). One value for all members, or one each.
     Eigen::VectorXd stiffness;
     /// A member that would be pulled in the built structure carries nothing: T = max(0, k (l - r)).
     bool compression_only = true;
@@ -45,8 +46,8 @@ enum class CornerShare {
     voronoi ///< the part of the panel that is nearest to the corner
 };
 
-/// wA [kg/m²]: weight of the panels' present area (paper section 4.1). The area of a panel that is not plane is that of
-/// the triangles between its edges and the mean of its corners.
+/// wA [kg/m²]: weight of the panels' present area (paper section 4.1). The area of a panel that is not plane
+/// is that of the triangles between its edges and the mean of its corners.
 struct CoveringWeight {
     double per_area = 0;
     CornerShare share = CornerShare::angle;

@@ -65,7 +65,8 @@ Points reactions_at(const Points &x, const Equilibrium &equilibrium) {
         if (scene.freedoms().count(node) < 3)
             reactions.row(node) = equilibrium.forces().row(node) - balanced.row(node);
     for (const auto &support : scene.elastic_supports())
-        reactions.row(support.node) += (support.stiffness * (x.row(support.node).transpose() - support.anchor)).transpose();
+        reactions.row(support.node) +=
+            (support.stiffness * (x.row(support.node).transpose() - support.anchor)).transpose();
     return reactions * scene.scale().force;
 }
 
@@ -112,14 +113,16 @@ void Solver::replace(std::shared_ptr<const Scene> scene) {
     if (!scene)
         throw InvalidInput("scene is missing: give a Scene");
     if (scene->net().node_count() != x_.rows())
-        throw InvalidInput("scene has " + std::to_string(scene->net().node_count()) + " nodes, but the shape to go on from has " +
-                           std::to_string(x_.rows()));
+        throw InvalidInput("scene has " + std::to_string(scene->net().node_count()) +
+                           " nodes, but the shape to go on from has " + std::to_string(x_.rows()));
     const Points shape = scene_->scale().to_metres(x_);
     scene_ = std::move(scene);
     begin(scene_->scale().to_local(shape));
 }
 
-double Solver::seconds() const { return seconds_before_ + (entered_ ? clock_now() - *entered_ : 0); }
+double Solver::seconds() const {
+    return seconds_before_ + (entered_ ? clock_now() - *entered_ : 0);
+}
 
 void Solver::publish() {
     Points shape = scene_->scale().to_metres(x_);
@@ -172,36 +175,40 @@ bool Solver::advance(double max_seconds) {
     } const clock(*this);
     const double until = seconds() + max_seconds;
 
-    while (true) {
-        if (!is_measured_) {
-            report_.residual = equilibrium_->relative_residual();
-            report_.position_error = iteration_->position_error(x_, *equilibrium_, goal_) * scene_->scale().length;
-            report_.seconds = seconds();
-            is_measured_ = true;
-            if (!told(report_))
-                return end(Status::cancelled, "Cancelled. The shape is that of the last iteration, not an equilibrium.");
-        }
-        if (end_if_decided())
+    if (measure() || end_if_decided())
+        return true;
+    do {
+        if (make_move() || measure() || end_if_decided())
             return true;
-        if (seconds() >= until)
-            return false;
-        if (make_move())
-            return true;
-    }
+    } while (seconds() < until);
+    return false;
+}
+
+/// Looks at the present shape, once, and tells of it. Returns whether that ended the solve.
+bool Solver::measure() {
+    if (is_measured_)
+        return false;
+    report_.residual = equilibrium_->relative_residual();
+    report_.position_error = iteration_->position_error(x_, *equilibrium_, goal_) * scene_->scale().length;
+    report_.seconds = seconds();
+    is_measured_ = true;
+    return !told(report_) &&
+           end(Status::cancelled, "Cancelled. The shape is that of the last iteration, not an equilibrium.");
 }
 
 bool Solver::end_if_decided() {
     if (Iteration::residual_is_small(*equilibrium_, goal_) && report_.position_error <= options_.accuracy)
-        return end(Status::converged,
-                   report_.residual <= goal_.tolerance
-                       ? "In equilibrium."
-                       : "In equilibrium as far as rounding lets one tell: the members are too stiff for a smaller residual.");
+        return end(Status::converged, report_.residual <= goal_.tolerance
+                                          ? "In equilibrium."
+                                          : "In equilibrium as far as rounding lets one tell: the members "
+                                            "are too stiff for a smaller residual.");
     const double size = scene_->net().size() / scene_->scale().length;
     if (!(x_.cwiseAbs().maxCoeff() < runaway_growth * size))
-        return end(Status::no_equilibrium, "No equilibrium: the net grows without bound, as its weight is too large for its "
-                                           "stiffness. Raise the axial stiffness, or lower the weights.");
-    const long limit =
-        options_.max_iterations.value_or(method_ == Method::relaxation ? most_relaxation_steps : most_newton_steps);
+        return end(Status::no_equilibrium,
+                   "No equilibrium: the net grows without bound, as its weight is too large for its "
+                   "stiffness. Raise the axial stiffness, or lower the weights.");
+    const long limit = options_.max_iterations.value_or(method_ == Method::relaxation ? most_relaxation_steps
+                                                                                      : most_newton_steps);
     if (report_.iteration >= limit)
         return end(Status::iteration_limit, limit_message(std::to_string(limit) + " iterations", report_));
     if (seconds() >= options_.max_seconds)
@@ -213,7 +220,8 @@ bool Solver::make_move() {
     if (iteration_->move(x_, *equilibrium_) == Iteration::Move::impossible) {
         if (options_.method != Method::automatic)
             return end(Status::iteration_limit, "Newton's method found no step that lowers the residual of " +
-                                                    to_text(report_.residual) + ". Use method \"auto\" or \"relaxation\".");
+                                                    to_text(report_.residual) +
+                                                    ". Use method \"auto\" or \"relaxation\".");
         use(Method::relaxation);
         iteration_->move(x_, *equilibrium_);
     }

@@ -28,11 +28,11 @@ struct SolveOptions {
 
 /// The one loop of form finding, which can be left and entered again between iterations.
 class Solver {
-  public:
+public:
     /// \throws InvalidInput for an accuracy, tolerance, limit or start that cannot be meant.
     Solver(std::shared_ptr<const Scene> scene, SolveOptions options = {});
 
-    /// Goes on for at most this time, give or take an iteration.
+    /// Goes on for this time, give or take an iteration, and for one iteration at least.
     /// \returns whether the solve has ended
     bool advance(double max_seconds = std::numeric_limits<double>::infinity());
     /// Goes on from the present shape with another scene, which must have as many nodes.
@@ -42,12 +42,13 @@ class Solver {
     [[nodiscard]] Points nodes() const;
     [[nodiscard]] Result result() const;
 
-  private:
+private:
     void begin(const Points &local_start);
     void use(Method method);
     void publish();
     bool told(const Report &report);
     bool end(Status status, std::string message);
+    bool measure();
     bool end_if_decided();
     bool make_move();
     [[nodiscard]] double seconds() const;

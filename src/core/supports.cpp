@@ -15,7 +15,8 @@ namespace funicular {
 
 namespace {
 
-// Two planes that meet at a smaller angle (squared) than this are the same plane: their line of intersection would be noise.
+// Two planes that meet at a smaller angle (squared) than this are the same plane: their line of intersection
+// would be noise.
 constexpr double same_direction = 1e-8;
 
 void check_supports(const Net &net, const std::vector<Support> &supports) {
@@ -24,8 +25,9 @@ void check_supports(const Net &net, const std::vector<Support> &supports) {
         const std::string name = "supports[" + std::to_string(s) + "]";
         for (std::size_t k = 0; k < support.nodes.size(); ++k)
             if (support.nodes[k] < 0 || support.nodes[k] >= net.node_count())
-                throw InvalidInput(name + ": ids[" + std::to_string(k) + "] is " + std::to_string(support.nodes[k]) +
-                                   ", but the net has nodes 0 to " + std::to_string(net.node_count() - 1));
+                throw InvalidInput(name + ": ids[" + std::to_string(k) + "] is " +
+                                   std::to_string(support.nodes[k]) + ", but the net has nodes 0 to " +
+                                   std::to_string(net.node_count() - 1));
         if (!(support.stiffness >= 0))
             throw InvalidInput(name + ": stiffness must be zero, positive or infinite, in N/m");
         if (support.kind != SupportKind::fixed &&
@@ -125,7 +127,8 @@ void Freedoms::expand(const Eigen::VectorXd &unknowns, Points &vectors) const {
         if (free == 0)
             vectors.row(node).setZero();
         else
-            vectors.row(node).transpose().noalias() = basis(node).leftCols(free) * unknowns.segment(offset(node), free);
+            vectors.row(node).transpose().noalias() =
+                basis(node).leftCols(free) * unknowns.segment(offset(node), free);
     }
 }
 

@@ -8,11 +8,12 @@
 
 namespace funicular {
 
-/// What each node may still do: the directions that the rigid supports leave it. Supports on one node add up: two vertical
-/// planes leave the line where they meet.
+/// What each node may still do: the directions that the rigid supports leave it. Supports on one node add up:
+/// two vertical planes leave the line where they meet.
 class Freedoms {
-  public:
-    /// \throws InvalidInput naming the support and index for a node out of range, a direction of no length, or a
+public:
+    /// \throws InvalidInput naming the support and index for a node out of range, a direction of no length,
+    /// or a
     ///         stiffness that is negative or not a number.
     Freedoms(const Net &net, const std::vector<Support> &supports);
 
@@ -29,7 +30,7 @@ class Freedoms {
     /// The nodal vectors that have these components along the free directions and none along others.
     void expand(const Eigen::VectorXd &unknowns, Points &vectors) const;
 
-  private:
+private:
     std::vector<Index> offsets_;
     std::vector<Index> basis_of_;
     std::vector<Matrix3> bases_;

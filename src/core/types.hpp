@@ -4,9 +4,10 @@
 ///
 /// SI throughout: metre, kilogram, newton, second; up is +z.
 ///
-/// The form is found in tension with gravity turned round: a member's pull T is positive when it is stretched, and the
-/// loads point up. The structure that is built stands the same way up with every force reversed. What leaves the core
-/// (member forces, reactions, point loads) is in the sense of the built structure: N = -T, compression negative.
+/// The form is found in tension with gravity turned round: a member's pull T is positive when it is
+/// stretched, and the loads point up. The structure that is built stands the same way up with every force
+/// reversed. What leaves the core (member forces, reactions, point loads) is in the sense of the built
+/// structure: N = -T, compression negative.
 #pragma once
 
 #include <Eigen/Core>

@@ -38,8 +38,9 @@ std::function<bool(const Report &)> progress_from(const py::object &callback) {
     };
 }
 
-SolveOptions options_from(double accuracy, double tolerance, const std::string &method, const std::optional<double> &max_seconds,
-                          const std::optional<long> &max_iterations, const py::object &on_progress, const py::object &start) {
+SolveOptions options_from(double accuracy, double tolerance, const std::string &method,
+                          const std::optional<double> &max_seconds, const std::optional<long> &max_iterations,
+                          const py::object &on_progress, const py::object &start) {
     SolveOptions options;
     options.accuracy = accuracy;
     options.tolerance = tolerance;
@@ -53,7 +54,8 @@ SolveOptions options_from(double accuracy, double tolerance, const std::string &
 }
 
 /// Arrays of a result keep it alive and cannot be written.
-template <class Member> auto array_of(Member member) {
+template <class Member>
+auto array_of(Member member) {
     return [member](const py::object &self) { return read_only(self.cast<const Result &>().*member, self); };
 }
 
@@ -71,7 +73,9 @@ py::dict costs_of(const Result &result) {
     return costs;
 }
 
-py::array vector_of(const Vector3 &vector) { return py::array_t<double>(3, vector.data()); }
+py::array vector_of(const Vector3 &vector) {
+    return py::array_t<double>(3, vector.data());
+}
 
 Certificate certify_any(const Scene &scene, const py::object &shape, const std::optional<double> &tolerance) {
     if (py::isinstance<Result>(shape)) {
@@ -84,7 +88,8 @@ Certificate certify_any(const Scene &scene, const py::object &shape, const std::
     for (Index i = 0; i < nodes.rows(); ++i)
         if (!nodes.row(i).allFinite())
             throw InvalidInput("result[" + std::to_string(i) + "] is not finite");
-    return certify(scene, nodes.rowwise() - scene.net().centre().transpose(), nullptr, tolerance.value_or(1e-6));
+    return certify(scene, nodes.rowwise() - scene.net().centre().transpose(), nullptr,
+                   tolerance.value_or(1e-6));
 }
 
 } // namespace
@@ -96,41 +101,58 @@ void bind_solve(py::module_ &module) {
         .def_readonly("residual", &Report::residual, "max |r_i| / mean nodal load")
         .def_readonly("position_error", &Report::position_error, "[m]; infinite while it is not known")
         .def("__repr__", [](const Report &self) {
-            return "<funicular.Report " + std::to_string(self.iteration) + ": residual " + std::to_string(self.residual) + ">";
+            return "<funicular.Report " + std::to_string(self.iteration) + ": residual " +
+                   std::to_string(self.residual) + ">";
         });
 
-    py::class_<Result, std::shared_ptr<Result>>(module, "Result", R"(A shape and what is known of it. Arrays are read-only; SI units; forces of the built structure.)")
+    py::class_<Result, std::shared_ptr<Result>>(
+        module, "Result",
+        R"(A shape and what is known of it. Arrays are read-only; SI units; forces of the built structure.)")
         .def_property_readonly("nodes", array_of(&Result::nodes), "(n, 3) [m]")
-        .def_property_readonly("centred_nodes", array_of(&Result::centred_nodes),
-                               "(n, 3) [m] relative to the centre of the net's bounding box: exact also far from the origin")
-        .def_property_readonly("member_forces", array_of(&Result::member_forces), "(m,) [N], compression negative")
+        .def_property_readonly(
+            "centred_nodes", array_of(&Result::centred_nodes),
+            "(n, 3) [m] relative to the centre of the net's bounding box: exact also far from the origin")
+        .def_property_readonly("member_forces", array_of(&Result::member_forces),
+                               "(m,) [N], compression negative")
         .def_property_readonly("member_lengths", array_of(&Result::member_lengths), "(m,) [m]")
-        .def_property_readonly("reactions", array_of(&Result::reactions), "(n, 3) [N], zero where unsupported")
+        .def_property_readonly("reactions", array_of(&Result::reactions),
+                               "(n, 3) [N], zero where unsupported")
         .def_readonly("residual", &Result::residual, "max |r_i| / mean nodal load")
-        .def_readonly("position_error", &Result::position_error, "[m]: the largest |K⁻¹ r|; infinite if not known")
+        .def_readonly("position_error", &Result::position_error,
+                      "[m]: the largest |K⁻¹ r|; infinite if not known")
         .def_readonly("iterations", &Result::iterations)
         .def_readonly("seconds", &Result::seconds)
-        .def_property_readonly("status", [](const Result &self) { return status_name(self.status); },
-                               "converged, iteration_limit, time_limit, cancelled or no_equilibrium")
-        .def_property_readonly("method", [](const Result &self) { return self.method == Method::relaxation ? "relaxation" : "newton"; },
-                               "The method that was used last: newton or relaxation")
+        .def_property_readonly(
+            "status", [](const Result &self) { return status_name(self.status); },
+            "converged, iteration_limit, time_limit, cancelled or no_equilibrium")
+        .def_property_readonly(
+            "method",
+            [](const Result &self) { return self.method == Method::relaxation ? "relaxation" : "newton"; },
+            "The method that was used last: newton or relaxation")
         .def_readonly("message", &Result::message, "Why it ended, and what to do if that is not convergence")
-        .def_property_readonly("history", &history_of, "One Report per iteration; of very many, evenly spaced ones")
-        .def_property_readonly("costs", &costs_of, "{effect name: (evaluations, seconds)}, only effects in the scene")
+        .def_property_readonly("history", &history_of,
+                               "One Report per iteration; of very many, evenly spaced ones")
+        .def_property_readonly("costs", &costs_of,
+                               "{effect name: (evaluations, seconds)}, only effects in the scene")
         .def("__repr__", [](const Result &self) {
-            return std::string("<funicular.Result: ") + status_name(self.status) + " after " + std::to_string(self.iterations) + " iterations>";
+            return std::string("<funicular.Result: ") + status_name(self.status) + " after " +
+                   std::to_string(self.iterations) + " iterations>";
         });
 
-    module.def("solve", [](const std::shared_ptr<Scene> &scene, double accuracy, double tolerance, const std::string &method,
-                           const std::optional<double> &max_seconds, const py::object &on_progress, const py::object &start,
-                           const std::optional<long> &max_iterations) {
-        auto options = options_from(accuracy, tolerance, method, max_seconds, max_iterations, on_progress, start);
-        const py::gil_scoped_release no_gil;
-        return std::make_shared<Result>(solve(scene, std::move(options)));
-    }, py::arg("scene"), py::arg("accuracy") = 1e-3, py::arg("tolerance") = 1e-6, py::arg("method") = "auto",
-       py::arg("max_seconds") = py::none(), py::arg("on_progress") = py::none(), py::arg("start") = py::none(),
-       py::kw_only(), py::arg("max_iterations") = py::none(),
-       R"(The shape in which the scene stands in equilibrium.
+    module.def(
+        "solve",
+        [](const std::shared_ptr<Scene> &scene, double accuracy, double tolerance, const std::string &method,
+           const std::optional<double> &max_seconds, const py::object &on_progress, const py::object &start,
+           const std::optional<long> &max_iterations) {
+            auto options =
+                options_from(accuracy, tolerance, method, max_seconds, max_iterations, on_progress, start);
+            const py::gil_scoped_release no_gil;
+            return std::make_shared<Result>(solve(scene, std::move(options)));
+        },
+        py::arg("scene"), py::arg("accuracy") = 1e-3, py::arg("tolerance") = 1e-6, py::arg("method") = "auto",
+        py::arg("max_seconds") = py::none(), py::arg("on_progress") = py::none(),
+        py::arg("start") = py::none(), py::kw_only(), py::arg("max_iterations") = py::none(),
+        R"(The shape in which the scene stands in equilibrium.
 
 accuracy: largest position error [m]. tolerance: largest relative residual; both are met, or the status says otherwise.
 method: "auto", "newton" (line search on the work of the residual) or "relaxation" (Brivio et al. 2009, section 2.2).
@@ -138,60 +160,87 @@ max_seconds, max_iterations: limits, which are neither success nor an exception.
 after every Newton step, every 10 ms of relaxation. start: (n, 3) shape [m] to begin with.
 Other Python threads run meanwhile. Raises InvalidInput for arguments that cannot be meant.)");
 
-    py::class_<LengthMatching>(module, "LengthMatching", "The best of several rounds of solving and matching lengths.")
-        .def_property_readonly("scene", [](const LengthMatching &self) { return std::const_pointer_cast<Scene>(self.scene); })
-        .def_property_readonly("result", [](const LengthMatching &self) { return std::make_shared<Result>(self.result); })
-        .def_readonly("deviations", &LengthMatching::deviations, "Root mean square of (l' - L) / L after each round; first without matching")
+    py::class_<LengthMatching>(module, "LengthMatching",
+                               "The best of several rounds of solving and matching lengths.")
+        .def_property_readonly(
+            "scene", [](const LengthMatching &self) { return std::const_pointer_cast<Scene>(self.scene); })
+        .def_property_readonly(
+            "result", [](const LengthMatching &self) { return std::make_shared<Result>(self.result); })
+        .def_readonly("deviations", &LengthMatching::deviations,
+                      "Root mean square of (l' - L) / L after each round; first without matching")
         .def_readonly("best_round", &LengthMatching::best_round)
         .def_readonly("stopped_improving", &LengthMatching::stopped_improving);
-    module.def("solve_matching_lengths", [](const std::shared_ptr<Scene> &scene, Index rounds, double accuracy, double tolerance,
-                                            const std::string &method, const std::optional<double> &max_seconds,
-                                            const py::object &on_progress, const py::object &start, const std::optional<long> &max_iterations) {
-        auto options = options_from(accuracy, tolerance, method, max_seconds, max_iterations, on_progress, start);
-        const py::gil_scoped_release no_gil;
-        return solve_matching_lengths(scene, rounds, std::move(options));
-    }, py::arg("scene"), py::arg("rounds") = 5, py::arg("accuracy") = 1e-3, py::arg("tolerance") = 1e-6, py::arg("method") = "auto",
-       py::arg("max_seconds") = py::none(), py::arg("on_progress") = py::none(), py::arg("start") = py::none(),
-       py::arg("max_iterations") = py::none(),
-       R"(Solves, sets rest lengths r ← r L / l' and solves again, `rounds` times, keeping the best (Brivio et al. 2009, section 4.2).
+    module.def(
+        "solve_matching_lengths",
+        [](const std::shared_ptr<Scene> &scene, Index rounds, double accuracy, double tolerance,
+           const std::string &method, const std::optional<double> &max_seconds, const py::object &on_progress,
+           const py::object &start, const std::optional<long> &max_iterations) {
+            auto options =
+                options_from(accuracy, tolerance, method, max_seconds, max_iterations, on_progress, start);
+            const py::gil_scoped_release no_gil;
+            return solve_matching_lengths(scene, rounds, std::move(options));
+        },
+        py::arg("scene"), py::arg("rounds") = 5, py::arg("accuracy") = 1e-3, py::arg("tolerance") = 1e-6,
+        py::arg("method") = "auto", py::arg("max_seconds") = py::none(), py::arg("on_progress") = py::none(),
+        py::arg("start") = py::none(), py::arg("max_iterations") = py::none(),
+        R"(Solves, sets rest lengths r ← r L / l' and solves again, `rounds` times, keeping the best (Brivio et al. 2009, section 4.2).
 
 Limits hold for each solve. Ends early when three rounds in a row have not lowered the deviation.)");
 
-    py::class_<Certificate>(module, "Certificate", "What an independent recomputation says of a shape. Made by `certify`.")
-        .def_readonly("compression_only", &Certificate::compression_only, "In equilibrium, and no member in tension")
+    py::class_<Certificate>(module, "Certificate",
+                            "What an independent recomputation says of a shape. Made by `certify`.")
+        .def_readonly("compression_only", &Certificate::compression_only,
+                      "In equilibrium, and no member in tension")
         .def_readonly("in_equilibrium", &Certificate::in_equilibrium)
-        .def_property_readonly("tension_members", [](const Certificate &self) { return read_only(self.tension_members); })
+        .def_property_readonly("tension_members",
+                               [](const Certificate &self) { return read_only(self.tension_members); })
         .def_readonly("worst_tension", &Certificate::worst_tension, "[N]; zero if there is none")
-        .def_property_readonly("slack_members", [](const Certificate &self) { return read_only(self.slack_members); },
-                               "Members that carry nothing: they can be left out")
+        .def_property_readonly(
+            "slack_members", [](const Certificate &self) { return read_only(self.slack_members); },
+            "Members that carry nothing: they can be left out")
         .def_readonly("max_residual", &Certificate::max_residual, "max |r_i| / mean nodal load")
         .def_readonly("tolerance", &Certificate::tolerance)
         .def_readonly("balance", &Certificate::balance, "|sum of reactions + sum of loads| / sum of |loads|")
         .def_readonly("moment_balance", &Certificate::moment_balance, "The same of moments, over size")
-        .def_property_readonly("total_load", [](const Certificate &self) { return vector_of(self.total_load); }, "(3,) [N]")
-        .def_property_readonly("reaction_sum", [](const Certificate &self) { return vector_of(self.reaction_sum); }, "(3,) [N]")
+        .def_property_readonly(
+            "total_load", [](const Certificate &self) { return vector_of(self.total_load); }, "(3,) [N]")
+        .def_property_readonly(
+            "reaction_sum", [](const Certificate &self) { return vector_of(self.reaction_sum); }, "(3,) [N]")
         .def("summary", &Certificate::summary, "One sentence for a person.")
-        .def("__repr__", [](const Certificate &self) { return "<funicular.Certificate: " + self.summary() + ">"; });
-    module.def("certify", &certify_any, py::arg("scene"), py::arg("result"), py::arg("tolerance") = py::none(),
-               R"(Recomputes forces, residual and balance of a result, by code that shares nothing with the solver.
+        .def("__repr__",
+             [](const Certificate &self) { return "<funicular.Certificate: " + self.summary() + ">"; });
+    module.def(
+        "certify", &certify_any, py::arg("scene"), py::arg("result"), py::arg("tolerance") = py::none(),
+        R"(Recomputes forces, residual and balance of a result, by code that shares nothing with the solver.
 
 result: a Result, or (n, 3) node positions [m]. tolerance: relative residual up to which it counts as equilibrium; by default the one
 that the result was solved to. Raises InvalidInput if the shape does not fit the scene's net.)");
 
-    py::class_<Solver>(module, "Solver", R"(The interactive loop: goes on for a while, can be read at any time, and takes changed scenes as it goes.)")
-        .def(py::init([](const std::shared_ptr<Scene> &scene, double accuracy, double tolerance, const std::string &method, const py::object &start) {
-            return std::make_unique<Solver>(scene, options_from(accuracy, tolerance, method, {}, {}, py::none(), start));
-        }), py::arg("scene"), py::arg("accuracy") = 1e-3, py::arg("tolerance") = 1e-6, py::arg("method") = "auto", py::arg("start") = py::none())
+    py::class_<Solver>(
+        module, "Solver",
+        R"(The interactive loop: goes on for a while, can be read at any time, and takes changed scenes as it goes.)")
+        .def(py::init([](const std::shared_ptr<Scene> &scene, double accuracy, double tolerance,
+                         const std::string &method, const py::object &start) {
+                 return std::make_unique<Solver>(
+                     scene, options_from(accuracy, tolerance, method, {}, {}, py::none(), start));
+             }),
+             py::arg("scene"), py::arg("accuracy") = 1e-3, py::arg("tolerance") = 1e-6,
+             py::arg("method") = "auto", py::arg("start") = py::none())
         .def("advance", &Solver::advance, py::arg("max_seconds"), py::call_guard<py::gil_scoped_release>(),
-             "Goes on for at most max_seconds, give or take an iteration. Returns whether the solve has ended.")
-        .def("replace", [](Solver &self, const std::shared_ptr<Scene> &scene) { self.replace(scene); }, py::arg("scene"),
-             "Goes on from the present shape with another scene of as many nodes.")
+             "Goes on for at most max_seconds, give or take an iteration. Returns whether the solve has "
+             "ended.")
+        .def(
+            "replace", [](Solver &self, const std::shared_ptr<Scene> &scene) { self.replace(scene); },
+            py::arg("scene"), "Goes on from the present shape with another scene of as many nodes.")
         .def("result", [](const Solver &self) { return std::make_shared<Result>(self.result()); })
-        .def_property_readonly("nodes", [](const Solver &self) {
-            const py::object owner = py::cast(self.nodes());
-            owner.attr("setflags")(py::arg("write") = false);
-            return owner;
-        }, "(n, 3) [m]: the latest shape, a copy.");
+        .def_property_readonly(
+            "nodes",
+            [](const Solver &self) {
+                const py::object owner = py::cast(self.nodes());
+                owner.attr("setflags")(py::arg("write") = false);
+                return owner;
+            },
+            "(n, 3) [m]: the latest shape, a copy.");
 }
 
 } // namespace funicular::bindings

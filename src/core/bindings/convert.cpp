@@ -7,13 +7,17 @@ namespace funicular::bindings {
 
 namespace {
 
-template <class Scalar> using Array = py::array_t<Scalar, py::array::c_style | py::array::forcecast>;
+template <class Scalar>
+using Array = py::array_t<Scalar, py::array::c_style | py::array::forcecast>;
 
-std::string shape_of(const py::array &array) { return py::str(array.attr("shape")).cast<std::string>(); }
+std::string shape_of(const py::array &array) {
+    return py::str(array.attr("shape")).cast<std::string>();
+}
 
 Array<double> doubles_from(const py::handle &value, const std::string &argument) {
     const auto raw = py::array::ensure(value);
-    if (!raw || (raw.dtype().kind() != 'f' && raw.dtype().kind() != 'i' && raw.dtype().kind() != 'u' && raw.size() > 0)) {
+    if (!raw || (raw.dtype().kind() != 'f' && raw.dtype().kind() != 'i' && raw.dtype().kind() != 'u' &&
+                 raw.size() > 0)) {
         PyErr_Clear();
         throw InvalidInput(argument + " must be an array of real numbers");
     }
@@ -75,7 +79,8 @@ Panels panels_from(const py::handle &value) {
 std::vector<Index> ids_from(const py::handle &value, const std::string &argument) {
     const auto array = integers_from(value, argument);
     if (array.ndim() > 1)
-        throw InvalidInput(argument + " must be one node number or a flat sequence of them, not of shape " + shape_of(array));
+        throw InvalidInput(argument + " must be one node number or a flat sequence of them, not of shape " +
+                           shape_of(array));
     std::vector<Index> ids(array.size());
     for (py::ssize_t k = 0; k < array.size(); ++k)
         ids[k] = index_from(array.data()[k], argument + "[" + std::to_string(k) + "]");

@@ -8,25 +8,28 @@
 
 namespace funicular {
 
-AxialForces::AxialForces(const Net &net, const AxialStiffness &description, const Eigen::VectorXd &rest_lengths,
-                         const Scale &scale)
+AxialForces::AxialForces(const Net &net, const AxialStiffness &description,
+                         const Eigen::VectorXd &rest_lengths, const Scale &scale)
     : net_(net), rest_lengths_(rest_lengths / scale.length), compression_only_(description.compression_only) {
     const auto &given = description.stiffness;
     const Index member_count = net.member_count();
     if (given.size() != 1 && given.size() != member_count)
         throw InvalidInput("AxialStiffness: stiffness has " + std::to_string(given.size()) +
-                           " values; give one, or one for each of the " + std::to_string(member_count) + " members");
+                           " values; give one, or one for each of the " + std::to_string(member_count) +
+                           " members");
     for (Index e = 0; e < given.size(); ++e)
         if (!(given[e] > 0) || !std::isfinite(given[e]))
-            throw InvalidInput("AxialStiffness: stiffness[" + std::to_string(e) + "] must be positive and finite, in " +
-                               (description.per_spring ? "N/m" : "N"));
+            throw InvalidInput("AxialStiffness: stiffness[" + std::to_string(e) +
+                               "] must be positive and finite, in " + (description.per_spring ? "N/m" : "N"));
     stiffness_.resize(member_count);
     for (Index e = 0; e < member_count; ++e) {
         const double value = given[given.size() == 1 ? 0 : e];
         if (!description.per_spring && rest_lengths_[e] == 0)
-            throw InvalidInput("rest_lengths[" + std::to_string(e) +
-                               "] is zero, so EA / r is infinite: give a positive length, or stiffness per spring");
-        stiffness_[e] = description.per_spring ? value * scale.length / scale.force : value / scale.force / rest_lengths_[e];
+            throw InvalidInput(
+                "rest_lengths[" + std::to_string(e) +
+                "] is zero, so EA / r is infinite: give a positive length, or stiffness per spring");
+        stiffness_[e] = description.per_spring ? value * scale.length / scale.force
+                                               : value / scale.force / rest_lengths_[e];
     }
 }
 
@@ -35,11 +38,10 @@ void AxialForces::add_forces(const Points &x, Points &forces) const {
         const auto [i, j] = net_.members()[e];
         const Vector3 along = (x.row(j) - x.row(i)).transpose();
         const double length = along.norm();
-        const double tension = stiffness_[e] * (length - rest_lengths_[e]);
         // Ends that coincide give the pull no direction, and so no force.
-        if ((compression_only_ && tension <= 0) || length == 0)
+        if (is_slack(e, length) || length == 0)
             continue;
-        const Vector3 pull = (tension / length) * along;
+        const Vector3 pull = (stiffness_[e] * (length - rest_lengths_[e]) / length) * along;
         forces.row(i) += pull.transpose();
         forces.row(j) -= pull.transpose();
     }
@@ -55,9 +57,8 @@ void AxialForces::add_tangent(const Points &x, Regularisation regularisation, Bl
         const auto [i, j] = net_.members()[e];
         const Vector3 along = (x.row(j) - x.row(i)).transpose();
         const double length = along.norm();
-        const double tension = stiffness_[e] * (length - rest_lengths_[e]);
-        const bool carries = !(compression_only_ && tension <= 0);
-        double sideways = carries && length > 0 ? tension / length : 0;
+        const bool carries = !is_slack(e, length);
+        double sideways = carries && length > 0 ? stiffness_[e] * (length - rest_lengths_[e]) / length : 0;
         if ((regularisation.convex ? sideways : std::abs(sideways)) < regularisation.floor)
             sideways = regularisation.floor;
         // ∂(T d)/∂x = k d dᵀ + (T / l) (I - d dᵀ)
@@ -80,8 +81,8 @@ void AxialForces::tensions(const Points &x, Eigen::VectorXd &tensions) const {
     tensions.resize(net_.member_count());
     for (Index e = 0; e < net_.member_count(); ++e) {
         const auto [i, j] = net_.members()[e];
-        const double tension = stiffness_[e] * ((x.row(j) - x.row(i)).norm() - rest_lengths_[e]);
-        tensions[e] = compression_only_ ? std::max(0.0, tension) : tension;
+        const double length = (x.row(j) - x.row(i)).norm();
+        tensions[e] = is_slack(e, length) ? 0 : stiffness_[e] * (length - rest_lengths_[e]);
     }
 }
 

@@ -10,14 +10,16 @@ namespace funicular {
 
 /// Pull of the members: T_e = k_e (l_e - r_e), and never below zero if compression-only.
 ///
-/// Compression-only members have the convex energy sum ½ k max(0, l - r)²; two-way members do not, as one that pushes
-/// buckles sideways.
+/// Compression-only members have the convex energy sum ½ k max(0, l - r)²; two-way members do not, as one
+/// that pushes buckles sideways.
 class AxialForces final : public Effect {
-  public:
+public:
     /// \param rest_lengths one for each member [m]
-    /// \throws InvalidInput for a stiffness that is not positive and finite, or of the wrong count, or for a rest length
+    /// \throws InvalidInput for a stiffness that is not positive and finite, or of the wrong count, or for a
+    /// rest length
     ///         of zero unless stiffness is given per spring.
-    AxialForces(const Net &net, const AxialStiffness &description, const Eigen::VectorXd &rest_lengths, const Scale &scale);
+    AxialForces(const Net &net, const AxialStiffness &description, const Eigen::VectorXd &rest_lengths,
+                const Scale &scale);
 
     [[nodiscard]] std::string_view name() const override { return "axial"; }
     [[nodiscard]] bool is_load() const override { return false; }
@@ -26,7 +28,6 @@ class AxialForces final : public Effect {
     void add_tangent(const Points &x, BlockMatrix &tangent) const override {
         add_tangent(x, {.floor = 0, .convex = false}, tangent);
     }
-    [[nodiscard]] std::size_t bytes() const override { return 2 * sizeof(double) * stiffness_.size(); }
 
     /// What to add where members give a node no stiffness: as if each were under a small notional pull.
     struct Regularisation {
@@ -43,7 +44,11 @@ class AxialForces final : public Effect {
     [[nodiscard]] const Eigen::VectorXd &stiffness() const { return stiffness_; }
     [[nodiscard]] bool compression_only() const { return compression_only_; }
 
-  private:
+private:
+    [[nodiscard]] bool is_slack(Index member, double length) const {
+        return compression_only_ && length < rest_lengths_[member];
+    }
+
     const Net &net_;
     Eigen::VectorXd stiffness_;
     Eigen::VectorXd rest_lengths_;

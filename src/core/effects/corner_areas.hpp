@@ -11,7 +11,7 @@ namespace funicular {
 
 /// How much of a panel's area each corner carries, one panel at a time; the parts add up to the area.
 class CornerAreas {
-  public:
+public:
     explicit CornerAreas(CornerShare share) : share_(share) {}
 
     /// One area for each corner, valid until the next call.
@@ -19,7 +19,7 @@ class CornerAreas {
     /// Derivative of the area of corner k by the position of corner m, at k * (number of corners) + m.
     const std::vector<Vector3> &gradients(const Points &x, std::span<const Index> corners);
 
-  private:
+private:
     void angle_gradients();
     void voronoi_gradients();
 

@@ -14,7 +14,8 @@ CoveringLoads::CoveringLoads(const Net &net, const CoveringWeight &description, 
     if (!(description.per_area >= 0) || !std::isfinite(description.per_area))
         throw InvalidInput("CoveringWeight: weight must be zero or positive and finite, in kg/m²");
     if (net.panels().empty())
-        throw InvalidInput("CoveringWeight: the net has no panels to cover; give it panels, or leave the covering out");
+        throw InvalidInput(
+            "CoveringWeight: the net has no panels to cover; give it panels, or leave the covering out");
 }
 
 void CoveringLoads::add_forces(const Points &x, Points &forces) const {

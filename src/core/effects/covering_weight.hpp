@@ -10,7 +10,7 @@ namespace funicular {
 
 /// wA g A of each panel, A its present area, shared among its corners (paper section 4.1).
 class CoveringLoads final : public Effect {
-  public:
+public:
     /// \throws InvalidInput for a weight that is negative or not finite.
     CoveringLoads(const Net &net, const CoveringWeight &description, const Scale &scale);
 
@@ -19,7 +19,7 @@ class CoveringLoads final : public Effect {
     void couple(Coupling &coupling) const override;
     void add_tangent(const Points &x, BlockMatrix &tangent) const override;
 
-  private:
+private:
     const Net &net_;
     CornerShare share_;
     double weight_; ///< per area

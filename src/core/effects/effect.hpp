@@ -4,15 +4,15 @@
 #include "block_matrix.hpp"
 #include "types.hpp"
 
-#include <cstddef>
 #include <string_view>
 
 namespace funicular {
 
-/// One cause of nodal forces, in the scene's own units and in the sense of form finding: members pull, gravity is turned
-/// round. Holds what it needs of the scene and nothing that changes, so that several threads may share it.
+/// One cause of nodal forces, in the scene's own units and in the sense of form finding: members pull,
+/// gravity is turned round. Holds what it needs of the scene and nothing that changes, so that several
+/// threads may share it.
 class Effect {
-  public:
+public:
     Effect() = default;
     Effect(const Effect &) = delete;
     Effect &operator=(const Effect &) = delete;
@@ -27,8 +27,6 @@ class Effect {
     virtual void couple(Coupling &coupling) const = 0;
     /// Adds minus the derivative of the forces by the positions. It need not be symmetric.
     virtual void add_tangent(const Points &x, BlockMatrix &tangent) const = 0;
-    /// Memory that this effect holds.
-    [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };
 
 } // namespace funicular

@@ -10,7 +10,7 @@ namespace funicular {
 
 /// ½ wL g l on each end of each member, l its present length (paper section 3.3).
 class MemberLoads final : public Effect {
-  public:
+public:
     /// \throws InvalidInput for a weight that is negative or not finite.
     MemberLoads(const Net &net, const MemberWeight &description, const Scale &scale);
 
@@ -19,7 +19,7 @@ class MemberLoads final : public Effect {
     void couple(Coupling &coupling) const override;
     void add_tangent(const Points &x, BlockMatrix &tangent) const override;
 
-  private:
+private:
     const Net &net_;
     double half_weight_;
 };

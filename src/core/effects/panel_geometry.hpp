@@ -10,10 +10,11 @@ namespace funicular {
 
 /// Area, corner angles and their derivatives of one panel at a time; the work space is kept between panels.
 ///
-/// The area of a panel that is not plane is that of the fan of triangles between its edges and the mean of its corners: it
-/// does not depend on where the corners' list starts, is exact for plane convex panels, and never cancels when a panel warps.
+/// The area of a panel that is not plane is that of the fan of triangles between its edges and the mean of
+/// its corners: it does not depend on where the corners' list starts, is exact for plane convex panels, and
+/// never cancels when a panel warps.
 class PanelGeometry {
-  public:
+public:
     /// Places the panel. \pre at least three corners.
     void place(const Points &x, std::span<const Index> corners);
 
@@ -29,14 +30,14 @@ class PanelGeometry {
 
     /// Interior angle at each corner, in [0, 2π): above π where the panel is not convex.
     void angles(std::vector<double> &angles) const;
-    /// Derivatives of the angle at corner k by the positions of the corners before and after it; by the corner itself, minus
-    /// their sum. Zero where an edge has no length.
+    /// Derivatives of the angle at corner k by the positions of the corners before and after it; by the
+    /// corner itself, minus their sum. Zero where an edge has no length.
     struct AngleGradient {
         Vector3 before, after;
     };
     [[nodiscard]] AngleGradient angle_gradient(int k) const;
 
-  private:
+private:
     /// Twice the area vector of the fan triangle on the edge from corner k.
     [[nodiscard]] Vector3 fan_normal(int k) const {
         return (corners_[k] - middle_).cross(corners_[after(k)] - middle_);

@@ -12,7 +12,7 @@ namespace funicular {
 
 /// A force that stays as it is whatever the shape.
 class PointLoads final : public Effect {
-  public:
+public:
     /// \throws InvalidInput for a node out of range or a force that is not finite.
     PointLoads(const Net &net, const PointLoad &description, const Scale &scale);
 
@@ -20,9 +20,8 @@ class PointLoads final : public Effect {
     void add_forces(const Points &x, Points &forces) const override;
     void couple(Coupling & /*coupling*/) const override {}
     void add_tangent(const Points & /*x*/, BlockMatrix & /*tangent*/) const override {}
-    [[nodiscard]] std::size_t bytes() const override { return sizeof(Index) * nodes_.size(); }
 
-  private:
+private:
     std::vector<Index> nodes_;
     /// Of form finding: the built structure's, turned round.
     Vector3 force_;

@@ -12,11 +12,13 @@ namespace {
 
 using Vector2 = Eigen::Vector2d;
 
-double cross(const Vector2 &a, const Vector2 &b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Vector2 &a, const Vector2 &b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
 
 /// A panel seen from above.
 class Plan {
-  public:
+public:
     void place(const Points &x, std::span<const Index> corners) {
         corners_.resize(corners.size());
         middle_.setZero();
@@ -46,7 +48,7 @@ class Plan {
         return sense_ / 2 * Vector2(-a.y(), a.x());
     }
 
-  private:
+private:
     [[nodiscard]] Vector2 from_middle(std::size_t k) const { return corners_[k] - middle_; }
 
     std::vector<Vector2> corners_;
@@ -61,7 +63,8 @@ SnowLoads::SnowLoads(const Net &net, const Snow &description, const Scale &scale
     if (!(description.pressure >= 0) || !std::isfinite(description.pressure))
         throw InvalidInput("Snow: pressure must be zero or positive and finite, in N/m²");
     if (net.panels().empty())
-        throw InvalidInput("Snow: the net has no panels for snow to lie on; give it panels, or leave the snow out");
+        throw InvalidInput(
+            "Snow: the net has no panels for snow to lie on; give it panels, or leave the snow out");
 }
 
 void SnowLoads::add_forces(const Points &x, Points &forces) const {

@@ -8,10 +8,11 @@
 
 namespace funicular {
 
-/// A pressure on each panel's area in plan. Each triangle between an edge and the mean of the corners gives a third of its
-/// load to each of its points, the mean's third going to all corners alike: force and moments are those of the pressure.
+/// A pressure on each panel's area in plan. Each triangle between an edge and the mean of the corners gives a
+/// third of its load to each of its points, the mean's third going to all corners alike: force and moments
+/// are those of the pressure.
 class SnowLoads final : public Effect {
-  public:
+public:
     /// \throws InvalidInput for a pressure that is negative or not finite.
     SnowLoads(const Net &net, const Snow &description, const Scale &scale);
 
@@ -20,7 +21,7 @@ class SnowLoads final : public Effect {
     void couple(Coupling &coupling) const override;
     void add_tangent(const Points &x, BlockMatrix &tangent) const override;
 
-  private:
+private:
     const Net &net_;
     double pressure_;
 };

@@ -8,28 +8,39 @@
 
 namespace funicular {
 
-template <class Scalar> using VoronoiPoint = std::array<Scalar, 3>;
+template <class Scalar>
+using VoronoiPoint = std::array<Scalar, 3>;
 
 namespace voronoi {
 
-template <class Scalar> using Point = VoronoiPoint<Scalar>;
+template <class Scalar>
+using Point = VoronoiPoint<Scalar>;
 
-inline double real(double value) { return value; }
-inline double real(const std::complex<double> &value) { return value.real(); }
+inline double real(double value) {
+    return value;
+}
+inline double real(const std::complex<double> &value) {
+    return value.real();
+}
 
-// Written out because Eigen's dot and cross products conjugate complex numbers, which a complex step must not.
-template <class Scalar> Point<Scalar> difference(const Point<Scalar> &a, const Point<Scalar> &b) {
+// Written out because Eigen's dot and cross products conjugate complex numbers, which a complex step must
+// not.
+template <class Scalar>
+Point<Scalar> difference(const Point<Scalar> &a, const Point<Scalar> &b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-template <class Scalar> Scalar dot(const Point<Scalar> &a, const Point<Scalar> &b) {
+template <class Scalar>
+Scalar dot(const Point<Scalar> &a, const Point<Scalar> &b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-template <class Scalar> Point<Scalar> cross(const Point<Scalar> &a, const Point<Scalar> &b) {
+template <class Scalar>
+Point<Scalar> cross(const Point<Scalar> &a, const Point<Scalar> &b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// How much farther a point is from `own` than from `other`, as half the difference of the squared distances.
-template <class Scalar> Scalar farther(const Point<Scalar> &point, const Point<Scalar> &own, const Point<Scalar> &other) {
+template <class Scalar>
+Scalar farther(const Point<Scalar> &point, const Point<Scalar> &own, const Point<Scalar> &other) {
     Point<Scalar> middle;
     for (int axis = 0; axis < 3; ++axis)
         middle[axis] = (own[axis] + other[axis]) * 0.5;
@@ -38,7 +49,8 @@ template <class Scalar> Scalar farther(const Point<Scalar> &point, const Point<S
 
 /// Cuts off the part of a convex polygon that is nearer to `other` than to `own`.
 template <class Scalar>
-std::vector<Point<Scalar>> clip(const std::vector<Point<Scalar>> &polygon, const Point<Scalar> &own, const Point<Scalar> &other) {
+std::vector<Point<Scalar>> clip(const std::vector<Point<Scalar>> &polygon, const Point<Scalar> &own,
+                                const Point<Scalar> &other) {
     std::vector<Point<Scalar>> kept;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const auto &here = polygon[k];
@@ -63,7 +75,8 @@ std::vector<Point<Scalar>> clip(const std::vector<Point<Scalar>> &polygon, const
 
 /// The area of the panel's fan triangles (see PanelGeometry) that is nearer to each corner than to any other.
 /// \tparam Scalar double, or std::complex<double> for a derivative by complex step
-template <class Scalar> std::vector<Scalar> voronoi_areas(const std::vector<VoronoiPoint<Scalar>> &corners) {
+template <class Scalar>
+std::vector<Scalar> voronoi_areas(const std::vector<VoronoiPoint<Scalar>> &corners) {
     using namespace voronoi;
     Point<Scalar> middle{};
     for (const auto &corner : corners)
@@ -84,7 +97,9 @@ template <class Scalar> std::vector<Scalar> voronoi_areas(const std::vector<Voro
                 if (other != k)
                     cell = clip(cell, corners[k], corners[other]);
             for (std::size_t a = 1; a + 1 < cell.size(); ++a)
-                areas[k] += dot(cross(difference(cell[a], cell[0]), difference(cell[a + 1], cell[0])), normal) / doubled * 0.5;
+                areas[k] +=
+                    dot(cross(difference(cell[a], cell[0]), difference(cell[a + 1], cell[0])), normal) /
+                    doubled * 0.5;
         }
     }
     return areas;

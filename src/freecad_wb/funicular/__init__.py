@@ -3,8 +3,8 @@
 
 SI units (m, kg, N); up is +z; member forces are those of the built structure, compression negative.
 
-The native module is loaded at the first use of a name, not at import: FreeCAD restores a document's objects by importing
-this package, and must be able to do so, and keep their geometry, where the native module is missing.
+The native module is loaded at the first use of a name, not at import: FreeCAD restores a document's objects by
+importing this package, and must be able to do so, and keep their geometry, where the native module is missing.
 """
 
 _NUMERIC_API = (
@@ -40,9 +40,26 @@ def __getattr__(name):
     from . import _native
 
     core = _native.load()
+    _give_files_to(core.Net)
     for public in _NUMERIC_API:
         globals()[public] = getattr(core, public)
     return globals()[name]
+
+
+def _give_files_to(net_class):
+    """Hangs reading and writing of files, which the core knows nothing of, on the core's Net."""
+    from . import files
+
+    def read(path):
+        return net_class(*files.read_mesh(path))
+
+    def write(net, path):
+        files.write_mesh(path, net.nodes, net.members, net.panels)
+
+    read.__doc__ = "The net in an .obj, .ply, .stl or .off file, in metres; see `funicular.files`."
+    write.__doc__ = "Writes the net to an .obj, .ply, .stl or .off file, in metres; see `funicular.files`."
+    net_class.read = staticmethod(read)
+    net_class.write = write
 
 
 def __dir__():

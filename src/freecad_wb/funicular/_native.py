@@ -20,18 +20,25 @@ def load():
 
 def _explanation(error):
     this = f"{sys.version_info.major}.{sys.version_info.minor}"
-    built = [_python_of(path.name) for path in pathlib.Path(__file__).parent.glob("_core.*") if path.suffix in (".so", ".pyd")]
+    files = pathlib.Path(__file__).parent.glob("_core.*")
+    built = sorted(_python_of(path.name) for path in files if path.suffix in (".so", ".pyd"))
     if not built:
-        return "Funicular's native module is not built. Run 'make build' in the Funicular folder, then start again."
+        return (
+            "Funicular's native module is not built. "
+            "Run 'make build' in the Funicular folder, then start again."
+        )
     if this not in built:
         return (
-            f"Funicular's native module was built for Python {', '.join(sorted(built))}, but this is Python {this}. "
+            f"Funicular's native module was built for Python {', '.join(built)}, but this is Python {this}. "
             f"Run 'make build PYTHON={sys.executable or 'python3'}' in the Funicular folder, then start again."
         )
-    return f"Funicular's native module does not load: {error}. Run 'make clean build' in the Funicular folder."
+    return (
+        f"Funicular's native module does not load: {error}. "
+        "Run 'make clean build' in the Funicular folder, then start again."
+    )
 
 
 def _python_of(file_name):
-    """The Python version in a name such as `_core.cpython-311-x86_64-linux-gnu.so` or `_core.cp311-win_amd64.pyd`."""
+    """The Python version in `_core.cpython-311-x86_64-linux-gnu.so` or `_core.cp311-win_amd64.pyd`."""
     match = re.search(r"\.(?:cpython-|cp)(\d)(\d+)", file_name)
     return f"{match.group(1)}.{match.group(2)}" if match else "unknown"

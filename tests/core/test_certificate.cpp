@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "certificate.hpp"
+#include "certificate_loads.hpp"
+#include "equilibrium.hpp"
+#include "scenes.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace funicular::test {
+
+namespace {
+
+Certificate certificate_of(const ScenePtr &scene, const Result &result) {
+    return certify(*scene, result.centred_nodes, &result.reactions, 1e-9);
+}
+
+/// Angle from the apex, in degrees, of a member's middle in the source net.
+double from_apex(const Net &net, Index member) {
+    const Vector3 middle =
+        (net.nodes().row(net.members()[member][0]) + net.nodes().row(net.members()[member][1])).transpose() /
+        2;
+    return std::atan2(middle.head<2>().norm(), middle.z()) * 180 / std::numbers::pi;
+}
+
+bool is_hoop(const Net &net, Index member) {
+    const auto [i, j] = net.members()[member];
+    return std::abs(net.nodes()(i, 2) - net.nodes()(j, 2)) < 1e-9;
+}
+
+TEST(Certificate, FindsTheTensionInAHemisphereOfTwoWaySprings) {
+    // Membrane theory: under self weight the hoops change sign at 51.83 degrees from the apex.
+    const auto scene = hemisphere(48, 36, 10, 1e9, false, 0, 50);
+    const auto result = solved(scene);
+    ASSERT_EQ(result.status, Status::converged);
+    const auto certificate = certificate_of(scene, result);
+    EXPECT_TRUE(certificate.in_equilibrium);
+    EXPECT_FALSE(certificate.compression_only);
+    EXPECT_GT(certificate.worst_tension, 0);
+    EXPECT_GT(certificate.tension_members.size(), 48 * 10);
+    double highest = 90;
+    for (const Index member : certificate.tension_members) {
+        EXPECT_TRUE(is_hoop(scene->net(), member));
+        highest = std::min(highest, from_apex(scene->net(), member));
+    }
+    EXPECT_NEAR(highest, 51.83, 2.5) << "to one ring of members";
+    EXPECT_NE(certificate.summary().find("in tension"), std::string::npos);
+}
+
+TEST(Certificate, IsCleanForAHemisphereOfCompressionOnlyMembers) {
+    const auto scene = hemisphere(48, 36, 10, 1e9, true, 0, 50);
+    const auto result = solved(scene);
+    ASSERT_EQ(result.status, Status::converged) << result.message;
+    const auto certificate = certificate_of(scene, result);
+    EXPECT_TRUE(certificate.compression_only);
+    EXPECT_TRUE(certificate.tension_members.empty());
+    EXPECT_EQ(certificate.worst_tension, 0);
+    EXPECT_FALSE(certificate.slack_members.empty()) << "the lower hoops have nothing to carry";
+    for (const Index member : certificate.slack_members)
+        EXPECT_TRUE(is_hoop(scene->net(), member));
+    EXPECT_NE(certificate.summary().find("Compression only; "), std::string::npos);
+}
+
+TEST(Certificate, SeesAShapeThatIsNotInEquilibrium) {
+    const auto scene = warped_roof();
+    auto result = solved(scene);
+    EXPECT_TRUE(certificate_of(scene, result).compression_only);
+    result.centred_nodes(20, 2) += 1e-4;
+    const auto moved = certificate_of(scene, result);
+    EXPECT_FALSE(moved.in_equilibrium);
+    EXPECT_FALSE(moved.compression_only);
+    EXPECT_GT(moved.max_residual, 1e-3);
+    EXPECT_NE(moved.summary().find("Not in equilibrium"), std::string::npos);
+}
+
+TEST(Certificate, SeesReactionsThatDoNotBalance) {
+    const auto scene = warped_roof();
+    auto result = solved(scene);
+    EXPECT_LT(certificate_of(scene, result).balance, 1e-11);
+    result.reactions *= 1.001;
+    EXPECT_NEAR(certificate_of(scene, result).balance, 1e-3, 1e-4);
+}
+
+TEST(Certificate, RecomputesReactionsOfABareShape) {
+    const auto scene = warped_roof();
+    const auto result = solved(scene);
+    const auto certificate = certify(*scene, result.centred_nodes, nullptr, 1e-9);
+    EXPECT_TRUE(certificate.compression_only);
+    EXPECT_LT(certificate.balance, 1e-10);
+    expect_invalid([&] { (void)certify(*scene, result.centred_nodes.topRows(5), nullptr, 1e-9); },
+                   {"5 nodes", "63"});
+}
+
+TEST(Certificate, CatchesAFalseEquilibriumInTheWrongSign) {
+    // Two-way springs balance in a shape that hangs where the structure should stand: every member is a tie.
+    const auto scene = std::make_shared<const Scene>(
+        straight_chain(2, 2), std::vector<Support>{{.kind = SupportKind::fixed, .nodes = {0, 2}}},
+        std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1000), false},
+                                       PointLoad{{1}, {0, 0, -0.2}}},
+        Eigen::VectorXd::Constant(2, 1.1));
+    const auto standing = solved(scene);
+    ASSERT_EQ(standing.status, Status::converged);
+    EXPECT_TRUE(certificate_of(scene, standing).compression_only);
+
+    // Hanging: 2 k (r - l) h / l = P, solved for the height of the middle node.
+    double h = -0.4582;
+    for (int k = 0; k < 50; ++k) {
+        const double l = std::hypot(1, h);
+        const double force = 2 * (1000 / 1.1) * (l - 1.1) * h / l - 0.2;
+        const double slope = 2 * (1000 / 1.1) * (1 - 1.1 / l + 1.1 * h * h / (l * l * l));
+        h -= force / slope;
+    }
+    Points hanging = scene->net().nodes();
+    hanging(1, 2) = h;
+    const auto certificate =
+        certify(*scene, hanging.rowwise() - scene->net().centre().transpose(), nullptr, 1e-9);
+    EXPECT_LT(h, -0.4);
+    EXPECT_TRUE(certificate.in_equilibrium);
+    EXPECT_EQ(certificate.tension_members.size(), 2);
+    EXPECT_FALSE(certificate.compression_only);
+}
+
+TEST(Certificate, ItsLoadsAreTheSolversByOtherFormulas) {
+    // Agreement of two codes that share nothing: each effect alone, each share, on a warped roof.
+    const auto roof = warped_roof();
+    const std::vector<EffectDescription> loads{MemberWeight{12},
+                                               CoveringWeight{30, CornerShare::angle},
+                                               CoveringWeight{30, CornerShare::equal},
+                                               CoveringWeight{30, CornerShare::voronoi},
+                                               PointLoad{{4, 9}, {1, 2, 3}},
+                                               Snow{700}};
+    for (const auto &load : loads) {
+        const auto scene = std::make_shared<const Scene>(
+            roof->shared_net(), roof->supports(),
+            std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e5)}, load});
+        const Points &nodes = scene->net().nodes();
+        Equilibrium equilibrium(scene);
+        equilibrium.evaluate(scene->scale().to_local(nodes));
+        const Points expected = certificate_loads(scene->net(), scene->effects(), nodes);
+        EXPECT_GT(expected.norm(), 1);
+        EXPECT_LT((equilibrium.loads() * scene->scale().force + expected).norm(), 1e-12 * expected.norm())
+            << load.index();
+    }
+}
+
+} // namespace
+} // namespace funicular::test
