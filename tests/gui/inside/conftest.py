@@ -9,7 +9,15 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 import pytest
-from window import clear_report_view, close_panel, settle
+from window import (
+    clear_report_view,
+    close_panel,
+    report_view,
+    run_command,
+    select_faces,
+    settle,
+    wait_for_result,
+)
 
 
 @pytest.fixture
@@ -60,3 +68,15 @@ def roof(document):
     roof.Shape = surface.toShape()
     document.recompute()
     return roof
+
+
+@pytest.fixture
+def opened(roof):
+    """The gridshell of a roof, made by the command, with its panel open and its first result shown."""
+    roof.Document.clearUndos()
+    select_faces(roof, "Face1")
+    run_command()
+    shell = roof.Document.getObject("Gridshell")
+    assert shell is not None, report_view()
+    wait_for_result()
+    return shell

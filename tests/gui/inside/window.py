@@ -159,6 +159,17 @@ def double_click_in_tree(label):
     settle()
 
 
+def names(document):
+    return [obj.Name for obj in document.Objects]
+
+
+def edit_again(shell):
+    """What a double click on the object in the tree does."""
+    shell.ViewObject.Proxy.doubleClicked(shell.ViewObject)
+    settle()
+    return wait_for_result()
+
+
 def legends(document):
     """Names of the legends in the document's 3D view."""
     names = []

@@ -127,8 +127,7 @@ def _make(document, source, net):
 
 
 def starting_step(face):
-    """A round step in mm that gives a face of this size a few dozen cells across; the user then sets
-    another."""
+    """A round step in mm that gives a face of this size a few dozen cells across, to begin with."""
     diagonal = face.BoundBox.DiagonalLength
     if not 0.0 < diagonal < math.inf:
         return 1000.0

@@ -37,7 +37,7 @@ def show(obj, scale):
         if legend is None:
             legend = _new_legend(obj)
             graph.addChild(legend)
-        # By position, not by name: a name is coin's global, and each view has its own image node.
+        # By position, not by name: coin's names are global, and each view has an image of its own.
         image = legend.getChild(0).getChild(3)
         size = coin.SbVec2s(picture.width(), picture.height())
         image.image.setValue(size, 4, _bottom_up_rgba(picture))

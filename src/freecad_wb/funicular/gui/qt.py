@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Qt as FreeCAD ships it, PySide2 (0.20, 1.0) and PySide6 (1.1) alike, and the translation of what a user
-reads."""
+"""Qt as FreeCAD ships it, PySide2 (0.20, 1.0) or PySide6 (1.1), and the translation of what a user reads."""
 
 import FreeCAD
 from PySide import QtCore, QtGui
@@ -16,6 +15,5 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 
 def translate(text, context="Funicular"):
-    """The text in the language of FreeCAD's window; texts that are kept in data are marked with
-    QT_TRANSLATE_NOOP."""
+    """The text in the language of FreeCAD's window. Texts kept in data are marked with QT_TRANSLATE_NOOP."""
     return FreeCAD.Qt.translate(context, text)

@@ -26,8 +26,7 @@ class ViewProvider:
         vobj.Proxy = self
 
     def add_properties(self, vobj):
-        """Add the view properties that are not there yet; called again on restored files of an older
-        version."""
+        """Add the view properties that are not there yet, as in files of an older version."""
 
     def attach(self, vobj):
         self.vobj = vobj

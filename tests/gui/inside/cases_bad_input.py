@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a user can do wrong in the panel: each a sentence, and the last good shape stays."""
+
+import FreeCADGui as Gui
+import pytest
+from window import (
+    clear_report_view,
+    edit_again,
+    names,
+    panel_box,
+    press,
+    report_view,
+    result_line,
+    run_command,
+    select_faces,
+    type_into,
+    wait_for_result,
+)
+
+
+def test_deleting_the_net_is_a_sentence(opened):
+    before = result_line()
+    opened.Document.removeObject("Net")
+    type_into(panel_box("StepU"), "300 mm")
+    gone = wait_for_result(before)
+    assert gone.startswith("✖") and "StepU" in gone
+    type_into(panel_box("CoveringWeight"), "45")
+    line = wait_for_result(gone)
+    assert line.startswith("✖") and "Net is empty" in line
+
+
+@pytest.mark.parametrize(
+    "name, text, words",
+    [
+        ("StepU", "0 mm", "StepU"),
+        ("StepU", "50 m", "StepU"),
+        ("CoveringWeight", "-5 kg/m^2", "CoveringWeight"),
+        ("MemberWeight", "-1", "MemberWeight"),
+        ("AxialStiffness", "0 kN", "AxialStiffness"),
+        ("Accuracy", "0 mm", "Accuracy"),
+    ],
+)
+def test_bad_input_is_a_sentence_and_the_last_good_shape_stays(opened, name, text, words):
+    before, edges = result_line(), len(opened.Shape.Edges)
+    clear_report_view()
+    type_into(panel_box(name), text)
+    line = wait_for_result(before)
+    assert line.startswith("✖") and words in line and "last good shape" in line
+    assert len(opened.Shape.Edges) == edges
+    assert words in report_view()
+
+
+def test_no_supports_is_a_sentence(opened):
+    before = result_line()
+    box = panel_box("SupportRecipe")
+    box.setCurrentIndex(box.findText("None"))
+    line = wait_for_result(before)
+    assert line.startswith("✖") and "SupportRecipe" in line and "choose" in line
+
+
+def test_what_is_no_quantity_is_a_sentence_and_ok_waits_for_better(opened):
+    weight = opened.CoveringWeight
+    type_into(panel_box("CoveringWeight"), "heavy")
+    press("Ok")
+    assert Gui.Control.activeDialog() and opened.CoveringWeight == weight
+    assert result_line().startswith("✖") and "heavy" in result_line() and "kg/m^2" in result_line()
+    heavy = result_line()
+    type_into(panel_box("CoveringWeight"), "5 mm")
+    length = wait_for_result(heavy)
+    assert length.startswith("✖") and "5 mm" in length
+    type_into(panel_box("CoveringWeight"), "25")
+    assert wait_for_result(length).startswith("✔")
+    press("Ok")
+    assert not Gui.Control.activeDialog()
+
+
+def test_a_mended_input_mends_the_result(opened):
+    before = result_line()
+    type_into(panel_box("CoveringWeight"), "-5")
+    wrong = wait_for_result(before)
+    type_into(panel_box("CoveringWeight"), "30")
+    assert wait_for_result(wrong).startswith("✔")
+
+
+def test_a_deleted_source_is_a_sentence(opened, roof):
+    press("Ok")
+    roof.Document.removeObject("Roof")
+    edges = len(opened.Shape.Edges)
+    line = edit_again(opened)
+    assert line.startswith("✖") and "Source" in line
+    assert len(opened.Shape.Edges) == edges
+    press("Cancel")
+
+
+def test_a_trimmed_face_is_a_sentence_and_cancel_takes_it_back(document):
+    cylinder = document.addObject("Part::Cylinder", "Cylinder")
+    document.recompute()
+    select_faces(cylinder, "Face2")
+    run_command()
+    line = wait_for_result()
+    assert line.startswith("✖") and "trimmed" in line and "last good" not in line
+    assert cylinder.Visibility, "there is nothing yet that could stand in its place"
+    press("Cancel")
+    assert names(document) == ["Cylinder"]
