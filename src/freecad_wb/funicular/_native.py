@@ -2,9 +2,11 @@
 """Loading the native module, with a sentence that helps when it cannot be loaded."""
 
 import importlib
+import os
 import pathlib
 import re
 import sys
+import sysconfig
 
 
 def load():
@@ -30,12 +32,18 @@ def _explanation(error):
     if this not in built:
         return (
             f"Funicular's native module was built for Python {', '.join(built)}, but this is Python {this}. "
-            f"Run 'make build PYTHON={sys.executable or 'python3'}' in the Funicular folder, then start again."
+            f"Run 'make build PYTHON={_this_python()}' in the Funicular folder, then start again."
         )
     return (
         f"Funicular's native module does not load: {error}. "
         "Run 'make clean build' in the Funicular folder, then start again."
     )
+
+
+def _this_python():
+    """The interpreter to build for. Within FreeCAD's window `sys.executable` is FreeCAD itself."""
+    version = f"{sys.version_info.major}.{sys.version_info.minor}"
+    return os.path.join(sysconfig.get_config_var("BINDIR") or "", f"python{version}")
 
 
 def _python_of(file_name):
