@@ -40,7 +40,10 @@ def run(name, example):
     failed = [f"{obj.Label}: {obj.getStatusString()}" for obj in doc.Objects if not obj.isValid()]
     if failed:
         return (name, *[""] * (len(HEADINGS) - 1)), "; ".join(failed)
-    doc.saveAs(str(FOLDER / f"{name}.FCStd"))
+    document = FOLDER / f"{name}.FCStd"
+    # FreeCAD would keep what an earlier run left as a backup beside it.
+    document.unlink(missing_ok=True)
+    doc.saveAs(str(document))
     export_gridshell(shell, FOLDER / f"{name}.obj")
     save_picture(shell, FOLDER / f"{name}.png")
     tension = len(shell.TensionMembers)
