@@ -301,7 +301,7 @@ def test_progress_cancels_the_solve(doc, shell, monkeypatch):
     assert list(recompute(doc)) == ["Gridshell"]
     assert stopped == [True]
     assert_refused(shell, "the solve was cancelled and the last good shape stays; recompute to solve again")
-    assert shell.Status == "failed"
+    assert shell.Status == "cancelled"
     assert snapshot(shell)["NodePositions"] == before["NodePositions"]
     monkeypatch.undo()
     shell.touch()

@@ -109,7 +109,11 @@ class Gridshell(Feature):
             "Rounds that bring the members back to their lengths on the source; 0 for none",
             0,
         ),
-        _result("App::PropertyString", "Status", "How the last recompute ended"),
+        _result(
+            "App::PropertyString",
+            "Status",
+            "How the last recompute ended: converged; failed; or the limit that the solver met",
+        ),
         _result("App::PropertyString", "Summary", "The result in a sentence"),
         _result("App::PropertyString", "MethodUsed", "The method that found the result"),
         _result("App::PropertyVectorList", "NodePositions", "Relaxed position of each node [mm]"),
@@ -135,14 +139,15 @@ class Gridshell(Feature):
     )
 
     def compute(self, obj):
+        status = "failed"
         try:
-            scene = scene_of(obj)
-            scene, result = _solve(obj, scene)
+            scene, result = _solve(obj, scene_of(obj))
             if result.status != "converged":
+                status = result.status
                 raise fn.InvalidInput(_complaint(result))
         except (ValueError, ImportError) as error:
             # The last good shape and numbers stay, but nothing may take them for those of this scene.
-            obj.Status = "failed"
+            obj.Status = status
             obj.Summary = str(error)
             raise
         _write(obj, scene, result, fn.certify(scene, result))
