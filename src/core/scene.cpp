@@ -123,7 +123,7 @@ Scene Scene::with_stiffness_factor(double factor) const {
     for (auto &effect : effects)
         if (auto *axial = std::get_if<AxialStiffness>(&effect))
             axial->stiffness *= factor;
-    return {net_, supports_, std::move(effects), rest_lengths_};
+    return {net_, supports_, effects, rest_lengths_};
 }
 
 } // namespace funicular
