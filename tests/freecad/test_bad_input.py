@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bad input to a Gridshell: a sentence that says what and what to do, and nothing that was good is lost."""
 
+import FreeCAD as App
+import Part
 import numpy as np
 import pytest
 
 import funicular as fn
 from documents import array, assert_refused, edge_ends, recompute, reopened
+from funicular.features import gridshell, net
 from funicular.features.net import edges_of
 from funicular.make import make_gridshell
 
@@ -39,6 +42,46 @@ def shell(doc, dome):
     return made
 
 
+# property, expression, what the sentence must say, and a value that is right
+WRONG_UNITS = [
+    ("CoveringWeight", "0.03 kg/m", "is 3e-05 kg/mm", "kg/m^2", "30 kg/m^2"),
+    ("CoveringWeight", "Sheet.A1", "is 45 by the expression 'Sheet.A1'", "kg/m^2", "30 kg/m^2"),
+    ("MemberWeight", "1 mm", "is 1 mm", "kg/m", "12 kg/m"),
+    ("AxialStiffness", "3 m", "is 3000 mm", "N", "100 kN"),
+    ("Snow", "3 kg", "is 3 kg", "N/m^2", "1 kPa"),
+    ("Accuracy", "2 kg", "is 2 kg", "mm", "1 mm"),
+    ("StepU", "2 kg", "is 2 kg", "mm", "3 m"),
+]
+
+
+@pytest.mark.parametrize("name, expression, what, unit, right", WRONG_UNITS)
+def test_an_expression_in_another_unit_is_refused(doc, shell, name, expression, what, unit, right):
+    doc.addObject("Spreadsheet::Sheet", "Sheet").set("A1", "45")
+    doc.recompute()
+    obj = shell.Net if name == "StepU" else shell
+    obj.setExpression(name, expression)
+    doc.recompute()
+    assert_refused(obj, f"{name} {what}", f", which is not in {unit}: give it with that unit")
+    assert shell.Status == "failed" and not shell.CompressionOnly
+
+    obj.setExpression(name, None)
+    assert getattr(obj, name).Unit == App.Units.Unit(unit)
+    if expression != "Sheet.A1":
+        # A plain number has left a value in FreeCAD's own unit; any other has left none.
+        doc.recompute()
+        assert_refused(obj, f"{name} is nan")
+    setattr(obj, name, right)
+    assert recompute(doc) == {}
+    assert shell.Status == "converged"
+    assert getattr(obj, name).Value == pytest.approx(App.Units.Quantity(right).Value)
+
+
+def test_a_plain_number_drives_a_length_in_millimetres(doc, shell):
+    shell.Net.setExpression("StepU", "2500 + 500")
+    assert recompute(doc) == {}
+    assert shell.Net.StepU == App.Units.Quantity("3 m")
+
+
 @pytest.mark.parametrize("name, value, sentence", REFUSED)
 def test_refused_with_the_last_good_result_left(doc, shell, tmp_path, name, value, sentence):
     nodes, edges, forces = array(shell.NodePositions), edge_ends(shell.Shape), list(shell.MemberForces)
@@ -48,6 +91,7 @@ def test_refused_with_the_last_good_result_left(doc, shell, tmp_path, name, valu
     assert_refused(shell, sentence)
     assert shell.Status == STATUS_OF_SOLVER.get(value, "failed")
     assert sentence in shell.Summary
+    assert not shell.CompressionOnly
     np.testing.assert_array_equal(array(shell.NodePositions), nodes)
     np.testing.assert_array_equal(edge_ends(shell.Shape), edges)
     assert list(shell.MemberForces) == forces
@@ -83,10 +127,10 @@ def test_a_net_that_is_no_net(doc, dome, shell):
 def test_a_net_that_never_was_computed(doc, box, shell):
     from funicular.make import make_net
 
-    net = make_net(doc, (box, ["Face7"]))
-    shell.Net = net
+    uncomputed = make_net(doc, (box, ["Face7"]))
+    shell.Net = uncomputed
     doc.recompute()
-    assert_refused(net, "Source Box.Face7 no longer exists")
+    assert_refused(uncomputed, "Source Box.Face7 no longer exists")
     assert "Up-to-date" not in shell.State
     assert len(shell.NodePositions) == len(array(shell.Reactions)) > 0
 
@@ -99,16 +143,47 @@ def test_a_deleted_net(doc, shell):
     np.testing.assert_array_equal(edge_ends(shell.Shape), edges)
 
 
-def test_a_broken_net_leaves_the_gridshell_as_it_was(doc, shell):
-    edges = edge_ends(shell.Shape)
+def test_a_broken_net_leaves_the_geometry_of_its_gridshell_and_no_certificate(doc, shell):
+    edges, nodes, forces = edge_ends(shell.Shape), array(shell.NodePositions), list(shell.MemberForces)
     shell.Net.StepU = 0
     doc.recompute()
     assert_refused(shell.Net, "StepU is 0 mm")
     np.testing.assert_array_equal(edge_ends(shell.Shape), edges)
+    np.testing.assert_array_equal(array(shell.NodePositions), nodes)
+    assert list(shell.MemberForces) == forces
     assert "Up-to-date" not in shell.State
+    assert (shell.Status, shell.CompressionOnly) == ("failed", False)
+    assert shell.Summary == "Net: StepU is 0 mm: give a length greater than zero"
     shell.Net.StepU = "2 m"
     assert recompute(doc) == {}
+    assert (shell.Status, shell.CompressionOnly) == ("converged", True)
     assert len(shell.Shape.Edges) == shell.Net.MemberCount
+
+
+@pytest.mark.parametrize("error", [Part.OCCError("BRep_API: command not done"), KeyError("net")])
+@pytest.mark.parametrize("name", ["certify", "edges_of"])
+def test_whatever_fails_after_the_solve_leaves_no_certificate(doc, shell, monkeypatch, name, error):
+    def fail(*_):
+        raise error
+
+    monkeypatch.setattr(gridshell if name == "edges_of" else fn, name, fail)
+    shell.CoveringWeight = "31 kg/m^2"
+    doc.recompute()
+    assert "Invalid" in shell.State
+    assert (shell.Status, shell.CompressionOnly) == ("failed", False)
+    assert shell.Summary in ("BRep_API: command not done", "'net'")
+
+
+def test_a_net_whose_shape_fails_keeps_its_nodes(doc, shell, monkeypatch):
+    def fail(*_):
+        raise Part.OCCError("BRep_API: command not done")
+
+    nodes = array(shell.Net.SourceNodes)
+    monkeypatch.setattr(net, "edges_of", fail)
+    shell.Net.StepU = "2 m"
+    doc.recompute()
+    assert_refused(shell.Net, "BRep_API: command not done")
+    np.testing.assert_array_equal(array(shell.Net.SourceNodes), nodes)
 
 
 def test_a_closed_net_has_no_border_to_stand_on(doc):

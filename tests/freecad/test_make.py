@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The scripting API: values with and without units, one undo step, and nothing left behind when it fails."""
 
+import math
+
 import FreeCAD as App
+import numpy as np
 import pytest
 
 from documents import recompute
@@ -18,12 +21,23 @@ def test_values_as_text_quantity_and_plain_number(doc, box):
             "AxialStiffness": App.Units.Quantity("0.05 MN"),
             "Snow": App.Units.Quantity("0.75 kPa"),
         },
+        {
+            "StepU": np.float32(500),
+            "MemberWeight": np.float64(8),
+            "AxialStiffness": np.int64(50000),
+            "Snow": np.float64(750),
+        },
     ):
         shell = make_gridshell(doc, source=(box, "Face6"), **values)
         assert shell.Net.StepU.getValueAs("mm").Value == pytest.approx(500)
         assert shell.MemberWeight.getValueAs("kg/m").Value == pytest.approx(8)
         assert shell.AxialStiffness.getValueAs("N").Value == pytest.approx(50000)
         assert shell.Snow.getValueAs("N/m^2").Value == pytest.approx(750)
+
+
+def test_numbers_of_numpy_without_a_unit(doc, box):
+    shell = make_gridshell(doc, (box, "Face6"), MaxSeconds=np.int64(5), LengthMatching=np.int64(2))
+    assert (shell.MaxSeconds, shell.LengthMatching) == (5.0, 2)
 
 
 def test_defaults(doc, box):
@@ -65,6 +79,16 @@ def test_every_property_has_a_group_and_a_tooltip(doc, box):
         ({"StepU": "3 kg"}, "StepU = '3 kg' does not do: .*such as '1 m'"),
         ({"StepU": -500}, "StepU = -500 mm|StepU = -500.0 mm"),
         ({"MemberWeight": "-1 kg/m"}, "MemberWeight = '-1 kg/m' does not do: give zero or more"),
+        (
+            {"MemberWeight": "30"},
+            "MemberWeight = '30' does not do: it is not in kg/m, give it with that unit",
+        ),
+        ({"StepU": "500"}, "StepU = '500' does not do: it is not in mm, give it with that unit.*'1 m'"),
+        ({"Snow": App.Units.Quantity(3)}, "Snow = .* does not do: it is not in N/m.2"),
+        ({"MemberWeight": np.float64(-8)}, "MemberWeight = -8.0 kg/m does not do: give zero or more"),
+        ({"CoveringWeight": math.nan}, "CoveringWeight = nan kg/m.2 does not do: give zero or more"),
+        ({"Accuracy": np.inf}, "Accuracy = inf mm does not do: give zero or more"),
+        ({"MaxSeconds": np.inf}, "MaxSeconds = inf does not do: give a finite number"),
         ({"MemberWeight": "heavy"}, "MemberWeight = 'heavy' does not do"),
         ({"CoveringWeight": "3 kg/m"}, "CoveringWeight = '3 kg/m' does not do.*such as '30 kg/m.2'"),
         ({"Pattern": "Kagome"}, "Pattern = 'Kagome' does not do: .*there are Quad"),

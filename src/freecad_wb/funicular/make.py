@@ -2,8 +2,8 @@
 """The scripting API: functions that put Funicular's objects into a document.
 
 Properties are given by name. A value is a text with its unit ("500 mm", "30 kg/m^2"), a FreeCAD quantity, or
-a plain number, which means mm for lengths, kg/m for MemberWeight, kg/m² for CoveringWeight, N/m² for Snow and
-N for AxialStiffness.
+a plain number (of Python or numpy), which means mm for lengths, kg/m for MemberWeight, kg/m² for
+CoveringWeight, N/m² for Snow and N for AxialStiffness.
 
     from funicular.make import make_gridshell
 
@@ -12,16 +12,16 @@ N for AxialStiffness.
 """
 
 from contextlib import contextmanager
+from math import isfinite
+from numbers import Integral, Real
 
 import FreeCAD as App
 
-from .features.feature import MARKER
+from .features.feature import MARKER, reason
 from .features.gridshell import Gridshell
 from .features.net import Net
 
 FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell)}
-
-PLAIN_NUMBERS = {"App::PropertyLength": "mm", "App::PropertyForce": "N", "App::PropertyPressure": "N/m^2"}
 
 
 def make_net(doc, source, **properties):
@@ -167,24 +167,37 @@ def _set(obj, feature, properties):
     known = {each.name: each for each in feature.PROPERTIES}
     for name, value in properties.items():
         each = known[name]
-        unit = each.unit or PLAIN_NUMBERS.get(each.kind)
-        if unit and isinstance(value, (int, float)):
-            value = App.Units.Quantity(f"{value!r} {unit}")
         try:
-            if unit and App.Units.Quantity(value).Value < 0.0:
-                raise ValueError("give zero or more")
-            setattr(obj, name, value)
+            setattr(obj, name, _quantity(value, each.unit) if each.unit else _plain(value))
         except (ArithmeticError, TypeError, ValueError) as error:
             choices = f"; there are {', '.join(each.choices)}" if each.choices else ""
             example = f", such as '{each.default}'" if isinstance(each.default, str) and not choices else ""
-            reason = _reason(error)
-            raise ValueError(f"{name} = {value!r} does not do: {reason}{choices}{example}") from None
+            shown = f"{value} {each.unit}" if each.unit and isinstance(value, Real) else repr(value)
+            raise ValueError(f"{name} = {shown} does not do: {reason(error)}{choices}{example}") from None
 
 
-def _reason(error):
-    # FreeCAD's own exceptions carry a dictionary.
-    details = error.args[0] if error.args else error
-    return details.get("sErrMsg", details) if isinstance(details, dict) else details
+def _quantity(value, unit):
+    """The App.Units.Quantity of a text, quantity or plain number; raises ValueError if it is not in unit."""
+    if isinstance(value, Real):
+        quantity = App.Units.Quantity(f"{float(value)!r} {unit}") if isfinite(value) else None
+    else:
+        quantity = App.Units.Quantity(value)
+        if quantity.Unit != App.Units.Unit(unit):
+            raise ValueError(f"it is not in {unit}, give it with that unit")
+    if quantity is None or not isfinite(quantity.Value) or quantity.Value < 0.0:
+        raise ValueError("give zero or more")
+    return quantity
+
+
+def _plain(value):
+    """A number of numpy as one of Python, which is all that FreeCAD takes."""
+    if isinstance(value, Integral):
+        return value if isinstance(value, bool) else int(value)
+    if isinstance(value, Real):
+        if not isfinite(value):
+            raise ValueError("give a finite number")
+        return float(value)
+    return value
 
 
 @contextmanager

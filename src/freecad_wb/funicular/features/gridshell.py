@@ -6,7 +6,7 @@ import numpy as np
 import funicular as fn
 
 from ..recipes import support_recipe
-from .feature import Feature, Property
+from .feature import Feature, Property, amount, checked, reason
 from .net import edges_of, net_of, to_vectors
 from .progress import Progress
 
@@ -17,9 +17,6 @@ METHODS = ("Auto", "Newton", "Relaxation")
 # FreeCAD's internal units are mm, kg and s: the factors to SI.
 METRES = 1e-3
 NEWTONS = 1e-3
-NEWTONS_PER_SQUARE_METRE = 1e3
-KILOGRAMS_PER_METRE = 1e3
-KILOGRAMS_PER_SQUARE_METRE = 1e6
 
 
 def _result(kind, name, tooltip):
@@ -61,13 +58,16 @@ class Gridshell(Feature):
             "Angle",
             SHARES,
         ),
-        Property("App::PropertyPressure", "Snow", "Weights", "Snow load on plan; 0 for none", 0.0),
+        Property(
+            "App::PropertyPressure", "Snow", "Weights", "Snow load on plan; 0 for none", 0.0, unit="N/m^2"
+        ),
         Property(
             "App::PropertyForce",
             "AxialStiffness",
             "Stiffness",
             "EA of the members, the force that would double their length: the lower, the higher the shell",
             "100 kN",
+            unit="N",
         ),
         Property(
             "App::PropertyBool",
@@ -90,6 +90,7 @@ class Gridshell(Feature):
             "Solution",
             "How far from equilibrium the nodes may lie",
             "1 mm",
+            unit="mm",
         ),
         Property(
             "App::PropertyEnumeration",
@@ -139,18 +140,24 @@ class Gridshell(Feature):
     )
 
     def compute(self, obj):
-        status = "failed"
-        try:
-            scene, result = _solve(obj, scene_of(obj))
-            if result.status != "converged":
-                status = result.status
-                raise fn.InvalidInput(_complaint(result))
-        except (ValueError, ImportError) as error:
-            # The last good shape and numbers stay, but nothing may take them for those of this scene.
-            obj.Status = status
-            obj.Summary = str(error)
-            raise
+        scene, result = _solve(obj, scene_of(obj))
+        if result.status != "converged":
+            raise Unsolved(result)
         _write(obj, scene, result, fn.certify(scene, result))
+
+    def failed(self, obj, error):
+        # The last good shape and numbers stay, but nothing may take them for those of this scene.
+        obj.Status = getattr(error, "status", "failed")
+        obj.Summary = str(reason(error))
+        obj.CompressionOnly = False
+
+
+class Unsolved(ValueError):
+    """The solver did not arrive. status: that of its result, such as "time_limit"."""
+
+    def __init__(self, result):
+        super().__init__(_complaint(result))
+        self.status = result.status
 
 
 def scene_of(obj):
@@ -161,10 +168,10 @@ def scene_of(obj):
         )
     if getattr(obj.Net, "FunicularType", "") != "Net":
         raise fn.InvalidInput(f"Net is {obj.Net.Label}, which is not a Net: set it to a Net of this document")
-    member_weight = _amount(obj, "MemberWeight", KILOGRAMS_PER_METRE, "kg/m")
-    covering_weight = _amount(obj, "CoveringWeight", KILOGRAMS_PER_SQUARE_METRE, "kg/m²")
-    snow = _amount(obj, "Snow", NEWTONS_PER_SQUARE_METRE, "N/m²")
-    stiffness = _amount(obj, "AxialStiffness", NEWTONS, "N")
+    member_weight = amount(obj, "MemberWeight", "kg/m")
+    covering_weight = amount(obj, "CoveringWeight", "kg/m^2")
+    snow = amount(obj, "Snow", "N/m^2")
+    stiffness = amount(obj, "AxialStiffness", "N")
     if stiffness == 0.0:
         raise fn.InvalidInput("AxialStiffness is 0 N: give a force greater than zero")
     if not (member_weight or covering_weight or snow):
@@ -185,13 +192,13 @@ def scene_of(obj):
 
 def solver_options(obj):
     """The arguments of fn.solve that a Gridshell's properties give. Raises InvalidInput naming one."""
-    accuracy = _amount(obj, "Accuracy", METRES, "m")
+    accuracy = amount(obj, "Accuracy", "mm") * METRES
     if accuracy == 0.0:
         raise fn.InvalidInput("Accuracy is 0 mm: give a length greater than zero, such as 1 mm")
     return {
         "accuracy": accuracy,
         "method": obj.Method.lower(),
-        "max_seconds": _amount(obj, "MaxSeconds", 1.0, "s") or None,
+        "max_seconds": checked("MaxSeconds", obj.MaxSeconds, "s") or None,
     }
 
 
@@ -280,12 +287,3 @@ def _sentence(result, certificate):
 
 def _force(newtons):
     return f"{newtons / 1e3:.3g} kN" if abs(newtons) >= 1e3 else f"{newtons:.3g} N"
-
-
-def _amount(obj, name, factor, unit):
-    """A property's value in SI units. Raises InvalidInput unless it is finite and not negative."""
-    value = getattr(obj, name)
-    amount = getattr(value, "Value", value) * factor
-    if not np.isfinite(amount) or amount < 0.0:
-        raise fn.InvalidInput(f"{name} is {amount:g} {unit}: give zero or more")
-    return amount

@@ -8,7 +8,7 @@ import numpy as np
 import funicular as fn
 
 from .. import surface
-from .feature import Feature, Property
+from .feature import Feature, Property, amount
 
 PATTERNS = ("Quad",)
 
@@ -26,10 +26,20 @@ class Net(Feature):
             "App::PropertyEnumeration", "Pattern", "Net", "How members are laid on the face", "Quad", PATTERNS
         ),
         Property(
-            "App::PropertyLength", "StepU", "Net", "Length of a cell along u, measured on the face", "1 m"
+            "App::PropertyLength",
+            "StepU",
+            "Net",
+            "Length of a cell along u, measured on the face",
+            "1 m",
+            unit="mm",
         ),
         Property(
-            "App::PropertyLength", "StepV", "Net", "Length of a cell along v, measured on the face", "1 m"
+            "App::PropertyLength",
+            "StepV",
+            "Net",
+            "Length of a cell along v, measured on the face",
+            "1 m",
+            unit="mm",
         ),
         *(
             Property("App::PropertyInteger", name, "Net", tooltip, mode=("ReadOnly",))
@@ -58,6 +68,7 @@ class Net(Feature):
     )
 
     def onChanged(self, obj, name):
+        super().onChanged(obj, name)
         if name == "Source" and "Restore" not in obj.State and hasattr(obj, "SourceBody"):
             # A new pick is trusted; from then on the body may not become another one.
             obj.SourceBody = ""
@@ -65,7 +76,7 @@ class Net(Feature):
     def compute(self, obj):
         face, name, body = read_source(obj)
         chart = surface.read_face(face, name)
-        cells_u, cells_v = surface.count_cells(chart, obj.StepU.Value, obj.StepV.Value)
+        cells_u, cells_v = surface.count_cells(chart, amount(obj, "StepU", "mm"), amount(obj, "StepV", "mm"))
         lattice = fn.lattice(
             cells_u,
             cells_v,
@@ -77,8 +88,9 @@ class Net(Feature):
         nodes = surface.sample(chart, lattice.uv)
         net = lattice.net(nodes * 1e-3)
 
-        obj.SourceNodes = to_vectors(nodes)
+        # The shape first: it is what may fail, and then no number has changed.
         obj.Shape = edges_of(nodes, net.members)
+        obj.SourceNodes = to_vectors(nodes)
         obj.SourceBody = body
         obj.ClosedU, obj.ClosedV, obj.Poles = chart.closed_u, chart.closed_v, sorted(chart.poles)
         obj.CellsU, obj.CellsV = cells_u, cells_v
