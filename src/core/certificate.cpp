@@ -8,32 +8,47 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace funicular {
 
 namespace {
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
 // Smaller than this part of the largest member force, a force is rounding.
 constexpr double negligible_force = 1e-9;
+constexpr double units_in_last_place = 8;
+// Rounding never excuses a residual above this part of the mean nodal load.
+constexpr double most_excused_residual = 1e-3;
+// Supports are where they should be, and reactions balance the loads, to this part of the net's size and of
+// the loads, or to the tolerance where that is coarser.
+constexpr double small = 1e-6;
 
-/// N of each member in the built structure, straight from the law.
-std::vector<double> member_forces(const Scene &scene, const Points &nodes, double &stiffest) {
+struct MemberForces {
+    std::vector<double> forces;    ///< N of the built structure
+    std::vector<double> stiffness; ///< k
+};
+
+/// Straight from the law.
+MemberForces member_forces(const Scene &scene, const Points &nodes) {
     const AxialStiffness *axial = nullptr;
     for (const auto &effect : scene.effects())
         if (const auto *found = std::get_if<AxialStiffness>(&effect))
             axial = found;
     const Net &net = scene.net();
-    std::vector<double> forces(net.member_count());
+    MemberForces members;
+    members.forces.resize(net.member_count());
+    members.stiffness.resize(net.member_count());
     for (Index e = 0; e < net.member_count(); ++e) {
         const double given = axial->stiffness[axial->stiffness.size() == 1 ? 0 : e];
         const double rest = scene.rest_lengths()[e];
         const double k = axial->per_spring ? given : given / rest;
         const Vector3 span = (nodes.row(net.members()[e][1]) - nodes.row(net.members()[e][0])).transpose();
         const double stretch = std::hypot(span.x(), span.y(), span.z()) - rest;
-        forces[e] = axial->compression_only && stretch < 0 ? 0 : -k * stretch;
-        stiffest = std::max(stiffest, k);
+        members.forces[e] = axial->compression_only && stretch < 0 ? 0 : -k * stretch;
+        members.stiffness[e] = k;
     }
-    return forces;
+    return members;
 }
 
 /// An orthonormal set of the directions that a node's rigid supports hold, grown one direction at a time.
@@ -50,6 +65,7 @@ public:
             hold(direction);
         }
     }
+    [[nodiscard]] std::size_t count() const { return directions_.size(); }
     [[nodiscard]] Vector3 held_part(const Vector3 &vector) const {
         Vector3 part = Vector3::Zero();
         for (const Vector3 &direction : directions_)
@@ -59,10 +75,10 @@ public:
 
 private:
     void hold(Vector3 direction) {
-        // Planes that meet at less than about 1e-4 rad count as one.
+        // Planes that meet at a smaller angle than this count as one, here as in the scene.
         for (const Vector3 &held : directions_)
             direction -= held.dot(direction) * held;
-        if (directions_.size() < 3 && direction.norm() > 1e-4)
+        if (directions_.size() < 3 && direction.norm() > 1.4142e-4)
             directions_.push_back(direction.normalized());
     }
     std::vector<Vector3> directions_;
@@ -98,16 +114,20 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
     Certificate certificate;
     certificate.tolerance = tolerance;
 
-    double stiffest = 0;
-    const auto forces = member_forces(scene, centred_nodes, stiffest);
+    const auto members = member_forces(scene, centred_nodes);
+    const auto &forces = members.forces;
+    const double unit_in_last_place =
+        std::numeric_limits<double>::epsilon() * centred_nodes.cwiseAbs().maxCoeff();
     double largest = 0;
     for (const double force : forces)
         largest = std::max(largest, std::abs(force));
     for (Index e = 0; e < net.member_count(); ++e) {
-        if (forces[e] > negligible_force * largest) {
+        const double negligible = std::max(negligible_force * largest,
+                                           units_in_last_place * unit_in_last_place * members.stiffness[e]);
+        if (forces[e] > negligible) {
             certificate.tension_members.push_back(e);
             certificate.worst_tension = std::max(certificate.worst_tension, forces[e]);
-        } else if (forces[e] >= -negligible_force * largest) {
+        } else if (forces[e] >= -negligible) {
             certificate.slack_members.push_back(e);
         }
     }
@@ -124,41 +144,59 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
         unbalanced.row(i) += push.transpose();
         unbalanced.row(j) -= push.transpose();
     }
+    // A unit in the last place of a position, turned into a force by all that is fastened there.
+    Eigen::VectorXd rounding = Eigen::VectorXd::Zero(n);
+    for (Index e = 0; e < net.member_count(); ++e)
+        for (const Index end : net.members()[e])
+            rounding[end] += units_in_last_place * unit_in_last_place * members.stiffness[e];
     std::vector<HeldDirections> held(n);
     Points recomputed = Points::Zero(n, 3);
+    const auto motion_of = [&](Index node) -> Vector3 {
+        return (centred_nodes.row(node) - (net.nodes().row(node) - net.centre().transpose())).transpose();
+    };
     for (const Support &support : scene.supports())
         for (const Index node : support.nodes) {
             if (std::isinf(support.stiffness)) {
                 held[node].hold(support);
             } else if (is_elastic(support)) {
-                const Vector3 motion =
-                    (centred_nodes.row(node) - net.nodes().row(node)).transpose() + net.centre();
-                const Vector3 reaction = elastic_reaction(support, motion);
+                const Vector3 reaction = elastic_reaction(support, motion_of(node));
+                rounding[node] += units_in_last_place * unit_in_last_place * support.stiffness;
                 recomputed.row(node) += reaction.transpose();
                 unbalanced.row(node) += reaction.transpose();
             }
         }
-    double worst = 0;
+    double load_sum = 0;
+    double movable_load = 0;
+    Index movable = 0;
+    for (Index i = 0; i < n; ++i) {
+        load_sum += loads.row(i).norm();
+        if (held[i].count() < 3) {
+            movable_load += loads.row(i).norm();
+            ++movable;
+        }
+    }
+    double force_sum = 0;
+    for (const double force : forces)
+        force_sum += std::abs(force);
+    const double unit = movable_load > 0 ? movable_load / movable : force_sum / net.member_count();
+
+    double significant = 0;
     for (Index i = 0; i < n; ++i) {
         const Vector3 rest = unbalanced.row(i).transpose();
         const Vector3 taken = held[i].held_part(rest);
         recomputed.row(i) -= taken.transpose();
-        worst = std::max(worst, (rest - taken).norm());
+        const double force = (rest - taken).norm();
+        if (force == 0)
+            continue;
+        // Written so that what is not a number counts as the worst.
+        const double relative = force <= std::numeric_limits<double>::max() ? force / unit : infinite;
+        certificate.max_residual = std::max(certificate.max_residual, relative);
+        if (!(relative <= std::min(rounding[i] / unit, most_excused_residual)))
+            significant = std::max(significant, relative);
     }
-
-    double load_sum = 0;
     for (Index i = 0; i < n; ++i)
-        load_sum += loads.row(i).norm();
-    double force_sum = 0;
-    for (const double force : forces)
-        force_sum += std::abs(force);
-    const double unit = load_sum > 0 ? load_sum / n : force_sum / net.member_count();
-    certificate.max_residual = worst > 0 ? worst / unit : 0;
-    const double reach = centred_nodes.cwiseAbs().maxCoeff();
-    const double rounding =
-        unit > 0 ? 64 * std::numeric_limits<double>::epsilon() * stiffest * reach / unit : 0;
-    certificate.in_equilibrium = certificate.max_residual <= std::max(tolerance, rounding);
-    certificate.compression_only = certificate.in_equilibrium && certificate.tension_members.empty();
+        certificate.support_error =
+            std::max(certificate.support_error, held[i].held_part(motion_of(i)).norm());
 
     const Points &given = reactions != nullptr ? *reactions : recomputed;
     Vector3 moment = Vector3::Zero();
@@ -173,24 +211,41 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
         certificate.balance = (certificate.total_load + certificate.reaction_sum).norm() / all;
         certificate.moment_balance = moment.norm() / (all * net.size());
     }
+    const double allowed = std::max(small, tolerance);
+    certificate.in_equilibrium = significant <= tolerance &&
+                                 certificate.support_error <= small * net.size() &&
+                                 certificate.balance <= allowed && certificate.moment_balance <= allowed;
+    const bool something_carries = std::cmp_less(certificate.slack_members.size(), net.member_count());
+    certificate.compression_only =
+        certificate.in_equilibrium && certificate.tension_members.empty() && something_carries;
     return certificate;
 }
 
 std::string Certificate::summary() const {
-    if (!in_equilibrium)
+    if (!in_equilibrium && max_residual > tolerance)
         return "Not in equilibrium: the largest residual is " + to_text(max_residual) +
                " of the mean nodal load, where " + to_text(tolerance) + " was asked for.";
+    if (!in_equilibrium && std::max(balance, moment_balance) > std::max(small, tolerance))
+        return "Not in equilibrium: reactions and loads differ by " +
+               to_text(std::max(balance, moment_balance)) + " of the loads.";
+    if (!in_equilibrium)
+        return "Not this scene's equilibrium: a supported node is " + to_text(support_error) +
+               " m off its support.";
     std::string text;
+    const std::size_t tied = tension_members.size();
     if (compression_only)
         text = "Compression only";
+    else if (tied == 0)
+        return "Nothing carries: no member is under load.";
     else
-        text = std::to_string(tension_members.size()) +
-               (tension_members.size() == 1 ? " member is in tension, "
-                                            : " members are in tension, the worst ") +
-               (tension_members.size() == 1 ? "of " : "") + to_text(worst_tension) + " N";
+        text = std::to_string(tied) +
+               (tied == 1 ? " member is in tension, of " : " members are in tension, the worst ") +
+               to_text(worst_tension) + " N";
     if (!slack_members.empty())
-        text += "; " + std::to_string(slack_members.size()) +
-                (slack_members.size() == 1 ? " member is" : " members are") + " slack and can be left out";
+        text +=
+            "; " + std::to_string(slack_members.size()) +
+            (slack_members.size() == 1 ? " member is slack and carries" : " members are slack and carry") +
+            " nothing";
     return text + ".";
 }
 

@@ -15,17 +15,20 @@ namespace funicular {
 /// formulas; it includes nothing of the solver. It is not a proof that the structure is safe: members are
 /// straight bars on pin joints here.
 struct Certificate {
-    /// In equilibrium, and no member in tension.
+    /// In equilibrium, no member in tension, and some in compression.
     bool compression_only = false;
-    /// The residual is within the tolerance, or within what rounding lets one tell.
+    /// The residual is within the tolerance at every node, or within what rounding lets one tell there;
+    /// supported nodes are on their supports, and the reactions balance the loads.
     bool in_equilibrium = false;
     std::vector<Index> tension_members;
     /// Largest tension [N]; zero if there is none.
     double worst_tension = 0;
-    /// Members that carry nothing: they can be left out.
+    /// Members that carry nothing; without weight of their own, they can be left out.
     std::vector<Index> slack_members;
-    /// max |r_i| / mean nodal load
+    /// max |r_i| / mean load on the nodes that can move; infinite where a force is not a number
     double max_residual = 0;
+    /// Largest distance of a node from where its rigid supports hold it [m].
+    double support_error = 0;
     double tolerance = 0;
     /// |sum of reactions + sum of loads| / sum of |loads|
     double balance = 0;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace funicular {
 
@@ -42,7 +41,7 @@ double fan_area(const std::vector<Vector3> &corners) {
     return area;
 }
 
-/// Area vector by the shoelace sum, for telling a corner that points inwards.
+/// Twice the area vector by the shoelace sum.
 Vector3 area_vector(const std::vector<Vector3> &corners) {
     Vector3 sum = Vector3::Zero();
     for (std::size_t k = 1; k + 1 < corners.size(); ++k)
@@ -52,7 +51,6 @@ Vector3 area_vector(const std::vector<Vector3> &corners) {
 
 std::vector<double> angle_shares(const std::vector<Vector3> &corners) {
     const std::size_t count = corners.size();
-    const Vector3 facing = area_vector(corners);
     std::vector<double> shares(count);
     double sum = 0;
     for (std::size_t k = 0; k < count; ++k) {
@@ -62,8 +60,6 @@ std::vector<double> angle_shares(const std::vector<Vector3> &corners) {
         const Vector3 a = out * back.norm();
         const Vector3 b = back * out.norm();
         shares[k] = 2 * std::atan2((a - b).norm(), (a + b).norm());
-        if (out.cross(back).dot(facing) < 0)
-            shares[k] = 2 * std::numbers::pi - shares[k];
         sum += shares[k];
     }
     for (double &share : shares)

@@ -9,16 +9,24 @@
 
 namespace funicular {
 
+namespace {
+
+constexpr double units_in_last_place = 4;
+// A residual above this part of the mean nodal load is never put down to rounding.
+constexpr double most_excused_residual = 1e-3;
+
+} // namespace
+
 Equilibrium::Equilibrium(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)), costs_(scene_->acting().size()), forces_(scene_->net().node_count(), 3),
       loads_(scene_->net().node_count(), 3) {
-    std::vector<double> summed(scene_->net().node_count(), 0.0);
+    nodal_stiffness_.setZero(scene_->net().node_count());
     for (Index e = 0; e < scene_->net().member_count(); ++e)
         for (const Index end : scene_->net().members()[e])
-            summed[end] += scene_->axial().stiffness()[e];
+            nodal_stiffness_[end] += scene_->axial().stiffness()[e];
+    // The trace bounds the largest eigenvalue whichever way the support faces.
     for (const auto &support : scene_->elastic_supports())
-        summed[support.node] += support.stiffness.diagonal().maxCoeff();
-    stiffest_node_ = *std::max_element(summed.begin(), summed.end());
+        nodal_stiffness_[support.node] += support.stiffness.trace();
 }
 
 template <class Work>
@@ -50,22 +58,40 @@ void Equilibrium::measure_residual(const Points &x) {
     freedoms.reduce(forces_, residual_);
     const Index node_count = scene_->net().node_count();
 
-    mean_nodal_load_ = loads_.rowwise().norm().sum() / node_count;
+    double whole_load = 0;
+    Index movable = 0;
+    for (Index node = 0; node < node_count; ++node)
+        if (freedoms.count(node) > 0) {
+            whole_load += loads_.row(node).norm();
+            ++movable;
+        }
+    mean_nodal_load_ = movable > 0 ? whole_load / movable : 0;
     if (mean_nodal_load_ == 0) {
         Eigen::VectorXd tensions;
         scene_->axial().tensions(x, tensions);
         mean_nodal_load_ = tensions.cwiseAbs().mean();
     }
-    double worst = 0;
-    for (Index node = 0; node < node_count; ++node)
-        worst = std::max(worst, residual_.segment(freedoms.offset(node), freedoms.count(node)).squaredNorm());
-    worst = std::sqrt(worst);
-    relative_residual_ = worst == 0 ? 0 : worst / mean_nodal_load_;
 
-    constexpr double units_in_last_place = 4;
-    rounding_floor_ = mean_nodal_load_ == 0 ? 0
-                                            : units_in_last_place * std::numeric_limits<double>::epsilon() *
-                                                  stiffest_node_ * x.cwiseAbs().maxCoeff() / mean_nodal_load_;
+    relative_residual_ = significant_residual_ = beyond_rounding_ = 0;
+    if (!forces_.allFinite()) {
+        relative_residual_ = significant_residual_ = beyond_rounding_ =
+            std::numeric_limits<double>::infinity();
+        return;
+    }
+    const double rounding =
+        units_in_last_place * std::numeric_limits<double>::epsilon() * x.cwiseAbs().maxCoeff();
+    for (Index node = 0; node < node_count; ++node) {
+        const double force = residual_.segment(freedoms.offset(node), freedoms.count(node)).norm();
+        if (force == 0)
+            continue;
+        const double relative = force / mean_nodal_load_;
+        const double floor = rounding * nodal_stiffness_[node] / mean_nodal_load_;
+        relative_residual_ = std::max(relative_residual_, relative);
+        if (relative > std::min(floor, most_excused_residual))
+            significant_residual_ = std::max(significant_residual_, relative);
+        if (relative > floor)
+            beyond_rounding_ = std::max(beyond_rounding_, relative);
+    }
 }
 
 Coupling Equilibrium::coupling() const {

@@ -34,14 +34,19 @@ public:
     [[nodiscard]] const Points &loads() const { return loads_; }
     /// r_i = P_i (sum of forces on node i), as components along the free directions.
     [[nodiscard]] const Eigen::VectorXd &residual() const { return residual_; }
-    /// Mean of |load| over the nodes; of the members' pull if there is no load at all, so that a residual can
-    /// be relative.
+    /// Mean of |load| over the nodes that can move; of the members' pull if they bear none, so that a
+    /// residual can be relative.
     [[nodiscard]] double mean_nodal_load() const { return mean_nodal_load_; }
     /// max_i |r_i| / mean nodal load.
     [[nodiscard]] double relative_residual() const { return relative_residual_; }
-    /// What remains of the relative residual in exact equilibrium, from the rounding of positions: a stiff
-    /// member turns one unit in the last place of its ends into a force.
-    [[nodiscard]] double rounding_floor() const { return rounding_floor_; }
+    /// The same of the nodes whose residual is more than the rounding of positions makes of it: a stiff
+    /// member turns a unit in the last place of its ends into a force. What rounding may excuse is bounded.
+    [[nodiscard]] double significant_residual() const { return significant_residual_; }
+    /// Whether the residual is rounding at every node where it exceeds the tolerance, be that excusable or
+    /// not.
+    [[nodiscard]] bool is_hidden_by_rounding(double tolerance) const { return beyond_rounding_ <= tolerance; }
+    /// Sum of k_e over the members at each node, with its supports that yield.
+    [[nodiscard]] const Eigen::VectorXd &nodal_stiffness() const { return nodal_stiffness_; }
 
     /// The pairs of nodes that the effects present couple, and no others.
     [[nodiscard]] Coupling coupling() const;
@@ -65,12 +70,13 @@ private:
 
     std::shared_ptr<const Scene> scene_;
     std::vector<Cost> costs_;
-    double stiffest_node_ = 0; ///< largest sum of stiffness at a node
+    Eigen::VectorXd nodal_stiffness_;
     Points forces_, loads_;
     Eigen::VectorXd residual_;
     double mean_nodal_load_ = 0;
     double relative_residual_ = 0;
-    double rounding_floor_ = 0;
+    double significant_residual_ = 0;
+    double beyond_rounding_ = 0;
 };
 
 } // namespace funicular

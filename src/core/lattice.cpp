@@ -161,6 +161,9 @@ Lattice::Lattice(LatticeRecipe recipe) : recipe_(std::move(recipe)) {
     poles.erase(std::unique(poles.begin(), poles.end()), poles.end());
     check_direction(recipe_, 'u');
     check_direction(recipe_, 'v');
+    if (static_cast<double>(recipe_.cells_u) * recipe_.cells_v > max_lattice_cells)
+        throw InvalidInput("cells_u x cells_v must not exceed " + std::to_string(max_lattice_cells) +
+                           ": choose a larger step");
     const auto has = [&poles](Side side) {
         return std::find(poles.begin(), poles.end(), side) != poles.end();
     };

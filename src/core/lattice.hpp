@@ -22,7 +22,8 @@ enum class Side { u_min, u_max, v_min, v_max };
 [[nodiscard]] Side side_from_name(const std::string &name);
 [[nodiscard]] std::string side_name(Side side);
 
-inline constexpr Index max_lattice_cells = 20000;
+/// More would not fit into the memory of an ordinary machine.
+inline constexpr Index max_lattice_cells = 10'000'000;
 
 /// What a lattice is made from.
 struct LatticeRecipe {

@@ -3,6 +3,7 @@
 
 #include "errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -45,7 +46,8 @@ LengthMatching solve_matching_lengths(std::shared_ptr<const Scene> scene, Index 
     LengthMatching best;
     best.scene = scene;
     best.result = solve(scene, options);
-    if (best.result.status != Status::converged)
+    best.status = best.result.status;
+    if (best.status != Status::converged)
         return best;
     best.deviations.push_back(length_deviation(*scene, best.result));
 
@@ -54,8 +56,10 @@ LengthMatching solve_matching_lengths(std::shared_ptr<const Scene> scene, Index 
     for (Index round = 1; round <= rounds; ++round) {
         scene = match_lengths(*scene, latest);
         options.start = latest.nodes;
+        options.max_seconds = std::max(0.0, options.max_seconds - latest.seconds);
         latest = solve(scene, options);
-        if (latest.status != Status::converged)
+        best.status = latest.status;
+        if (best.status != Status::converged)
             break;
         const double deviation = length_deviation(*scene, latest);
         best.deviations.push_back(deviation);

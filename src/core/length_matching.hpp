@@ -23,6 +23,9 @@ struct LengthMatching {
     /// Root mean square relative deviation after each round that converged; the first is without matching.
     std::vector<double> deviations;
     Index best_round = 0;
+    /// How the last round ended: other than converged, matching was cut short, and `result` is the best
+    /// before.
+    Status status = Status::iteration_limit;
     /// Further rounds did not lower the deviation: the best that matching reaches was reached.
     bool stopped_improving = false;
 };
@@ -30,7 +33,8 @@ struct LengthMatching {
 /// Solves and matches `rounds` times, each from the shape before. Matching need not converge: it gets nearer
 /// for some rounds and then drifts, so the best is kept, and it ends when three rounds in a row have brought
 /// nothing. A round that ends without equilibrium ends the matching; if it is the first one, that result is
-/// returned. \throws InvalidInput for a negative number of rounds
+/// returned. /// The time limit is for all rounds together.
+/// \throws InvalidInput for a negative number of rounds
 [[nodiscard]] LengthMatching solve_matching_lengths(std::shared_ptr<const Scene> scene, Index rounds,
                                                     SolveOptions options = {});
 

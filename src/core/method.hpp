@@ -30,11 +30,6 @@ public:
     enum class Move { made, impossible };
     /// Moves x and evaluates there. \pre position_error was asked at x
     virtual Move move(Points &x, Equilibrium &equilibrium) = 0;
-
-    /// The residual at which rounding or the goal ends the search.
-    [[nodiscard]] static bool residual_is_small(const Equilibrium &equilibrium, const Goal &goal) {
-        return equilibrium.relative_residual() <= std::max(goal.tolerance, equilibrium.rounding_floor());
-    }
 };
 
 } // namespace funicular

@@ -11,6 +11,7 @@ namespace {
 
 // A step is accepted when it has overshot by no more than this part of the work it began with.
 constexpr double accepted_overshoot = 0.5;
+constexpr double hardly_fallen = 0.9;
 constexpr int most_trials = 60;
 constexpr double least_motion = 1e-16;
 
@@ -18,10 +19,13 @@ constexpr double least_motion = 1e-16;
 // members.
 constexpr int most_short_steps = 2;
 constexpr double short_step = 0.1;
-// The softest stage has this mean k r (EA) for each newton of load, where strains are moderate.
+// In the softest stage no member has a stiffness k r (EA) above this for each newton of load, where strains
+// are moderate.
 constexpr double softest_stiffness_per_load = 10;
 constexpr double first_stage_ratio = 10;
 constexpr double residual_of_stage = 1e-2;
+// In the scene's own units, in which the net has a size of about one.
+constexpr double most_growth_of_stage = 100;
 
 /// Whether the residual, having done work `begun` per step at the start, does not push back too hard at the
 /// end.
@@ -38,14 +42,18 @@ double step_between(double low, double low_work, double high, double high_work) 
     return std::clamp(std::max(secant, middle), low + 0.05 * (high - low), high - 0.05 * (high - low));
 }
 
-/// Stiffness factor at which strains would be moderate.
-double softest_factor(const Equilibrium &equilibrium) {
+/// The stiffness k r [N] at which strains would be moderate.
+double soft_stiffness(const Equilibrium &equilibrium) {
     const Scene &scene = equilibrium.scene();
-    const double whole_load = equilibrium.mean_nodal_load() * scene.net().node_count();
-    const double mean_stiffness =
-        (scene.axial().stiffness().array() * scene.net().source_lengths().array()).mean() /
-        scene.scale().length;
-    return softest_stiffness_per_load * whole_load / mean_stiffness;
+    return softest_stiffness_per_load * equilibrium.mean_nodal_load() * scene.net().node_count() *
+           scene.scale().force;
+}
+
+/// The largest k r of a member [N].
+double stiffest_member(const Equilibrium &equilibrium) {
+    const Scene &scene = equilibrium.scene();
+    const auto lengths = scene.rest_lengths().cwiseMax(scene.net().source_lengths()) / scene.scale().length;
+    return (scene.axial().stiffness().array() * lengths.array()).maxCoeff() * scene.scale().force;
 }
 
 } // namespace
@@ -61,18 +69,28 @@ double Newton::position_error(const Points &x, Equilibrium &equilibrium, const G
 Iteration::Move Newton::move(Points &x, Equilibrium &equilibrium) {
     const double taken = search(x, softened_ ? *softened_ : equilibrium);
     if (softened_) {
-        if (taken == 0)
+        // A stage may have no equilibrium where the scene has one.
+        if (taken == 0 || x.cwiseAbs().maxCoeff() > most_growth_of_stage) {
+            x = taken == 0 ? x : start_of_stage_;
             stiffen(x, equilibrium);
+        }
         equilibrium.evaluate(x);
         return Move::made;
     }
     short_steps_ = taken < short_step ? short_steps_ + 1 : 0;
     if (!has_softened_ && (taken == 0 || short_steps_ >= most_short_steps) &&
-        softest_factor(equilibrium) < 1) {
+        soft_stiffness(equilibrium) < stiffest_member(equilibrium)) {
         soften(x, equilibrium);
         return Move::made;
     }
     return taken > 0 ? Move::made : Move::impossible;
+}
+
+/// r(x)·d at a step from the start.
+double Newton::work_at(double step, Points &x, Equilibrium &stage) const {
+    x = start_ + step * direction_.motion();
+    stage.evaluate(x);
+    return stage.residual().dot(direction_.unknowns());
 }
 
 double Newton::search(Points &x, Equilibrium &stage) {
@@ -80,27 +98,30 @@ double Newton::search(Points &x, Equilibrium &stage) {
     if (!(begun > 0) || !std::isfinite(begun))
         return 0;
     start_ = x;
-    const auto work_at = [&](double step) {
-        x = start_ + step * direction_.motion();
-        stage.evaluate(x);
-        return stage.residual().dot(direction_.unknowns());
-    };
-
     const double wished = std::min(1.0, reach_ / direction_.largest_motion());
-    double step = wished;
-    double work = work_at(step);
-    if (wished < 1 && work > 0)
-        reach_ *= 2;
-
     double low = 0;
     double low_work = begun;
+    double step = wished;
+    double work = work_at(step, x, stage);
+    if (wished < 1 && work > 0)
+        reach_ *= 2;
+    // Where the residual has hardly fallen, as when a load grows with the shape that it makes, the step was
+    // too short: it may be as long as the shape is large.
+    const double longest = start_.cwiseAbs().maxCoeff() / direction_.largest_motion();
+    while (work > hardly_fallen * begun && 2 * step <= longest) {
+        low = step;
+        low_work = work;
+        step *= 2;
+        work = work_at(step, x, stage);
+    }
+
     double high = step;
     double high_work = work;
     for (int trial = 0; trial < most_trials && !is_acceptable(work, begun); ++trial) {
         step = step_between(low, low_work, high, high_work);
         if (step * direction_.largest_motion() < least_motion)
             break;
-        work = work_at(step);
+        work = work_at(step, x, stage);
         (work > 0 ? low : high) = step;
         (work > 0 ? low_work : high_work) = work;
     }
@@ -113,7 +134,7 @@ double Newton::search(Points &x, Equilibrium &stage) {
 
 void Newton::soften(const Points &x, const Equilibrium &equilibrium) {
     has_softened_ = true;
-    stiffness_factor_ = softest_factor(equilibrium);
+    stiffness_limit_ = soft_stiffness(equilibrium);
     stage_ratio_ = first_stage_ratio;
     enter_stage(x, equilibrium);
 }
@@ -121,9 +142,9 @@ void Newton::soften(const Points &x, const Equilibrium &equilibrium) {
 void Newton::stiffen(const Points &x, Equilibrium &equilibrium) {
     equilibrium.add_costs_of(*softened_);
     softened_.reset();
-    stiffness_factor_ *= stage_ratio_;
+    stiffness_limit_ *= stage_ratio_;
     stage_ratio_ *= stage_ratio_;
-    if (stiffness_factor_ < 1)
+    if (stiffness_limit_ < stiffest_member(equilibrium))
         enter_stage(x, equilibrium);
     else
         equilibrium.evaluate(x);
@@ -131,8 +152,9 @@ void Newton::stiffen(const Points &x, Equilibrium &equilibrium) {
 
 void Newton::enter_stage(const Points &x, const Equilibrium &equilibrium) {
     softened_ = std::make_unique<Equilibrium>(
-        std::make_shared<const Scene>(equilibrium.scene().with_stiffness_factor(stiffness_factor_)));
+        std::make_shared<const Scene>(equilibrium.scene().with_stiffness_up_to(stiffness_limit_)));
     softened_->evaluate(x);
+    start_of_stage_ = x;
 }
 
 } // namespace funicular

@@ -15,8 +15,9 @@ namespace funicular {
 /// nearly vanished (Matthies and Strang, "The solution of nonlinear finite element equations", 1979).
 ///
 /// Far from equilibrium, stiff members allow only short steps, as every rotation stretches them. When that
-/// happens the scene is solved with softer members first, and then with stiffer ones from there: the error
-/// left by a stage falls with the strain, so that the factor between stages may be squared each time.
+/// happens the scene is solved with its stiffest members softened first, and then with stiffer ones from
+/// there: the error left by a stage falls with the strain, so that the factor between stages may be squared
+/// each time.
 class Newton final : public Iteration {
 public:
     explicit Newton(const Equilibrium &equilibrium) : direction_(equilibrium) {}
@@ -28,17 +29,18 @@ public:
 private:
     /// Moves along the direction. Returns the part of the wished step that was taken, zero if none could be.
     double search(Points &x, Equilibrium &stage);
+    double work_at(double step, Points &x, Equilibrium &stage) const;
     void soften(const Points &x, const Equilibrium &equilibrium);
     void stiffen(const Points &x, Equilibrium &equilibrium);
     void enter_stage(const Points &x, const Equilibrium &equilibrium);
 
     NewtonDirection direction_;
-    Points start_;
+    Points start_, start_of_stage_;
     /// Largest motion of a node in one step, in the scene's own units; grows while steps fall short.
     double reach_ = 0.1;
 
     std::unique_ptr<Equilibrium> softened_; ///< of the present stage; none at full stiffness
-    double stiffness_factor_ = 1;
+    double stiffness_limit_ = 0;            ///< of the present stage [N]
     double stage_ratio_ = 1;
     int short_steps_ = 0;
     bool has_softened_ = false;

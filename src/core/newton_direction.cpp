@@ -13,10 +13,12 @@ namespace {
 
 // The notional pull that stands in where members give no stiffness (a flat sheet, a slack member), as part of
 // the force density that carries the whole load over the net's size. It fades with the residual, so that
-// Newton's method keeps its order; the last two figures keep the factorisation possible.
+// Newton's method keeps its order.
 constexpr double notional_pull = 0.1;
 constexpr double least_pull = 1e-10;
-constexpr double least_pull_of_stiffness = 1e-13;
+// What holds a net that its supports let slide or turn as a whole, as part of the notional pull. Small enough
+// not to bend the smooth modes of a net of a thousand members across.
+constexpr double notional_ground = 1e-6;
 
 // Near equilibrium the negative stiffness of members that push belongs into the tangent; farther off it leads
 // astray.
@@ -29,8 +31,8 @@ double notional_force_density(const Equilibrium &equilibrium) {
     const double whole_load = equilibrium.mean_nodal_load() * scene.net().node_count();
     const double size = scene.net().size() / scene.scale().length;
     const double part = std::clamp(equilibrium.relative_residual(), least_pull, 1.0);
-    return std::max(notional_pull * part * whole_load / size,
-                    least_pull_of_stiffness * scene.axial().stiffness().maxCoeff());
+    // Without any load the stiffness itself is the measure.
+    return notional_pull * part * (whole_load > 0 ? whole_load / size : scene.axial().stiffness().mean());
 }
 
 /// Lets an iterative solver of Eigen's use a factorisation as its preconditioner.
@@ -67,12 +69,18 @@ NewtonDirection::NewtonDirection(const Equilibrium &equilibrium)
 
 void NewtonDirection::compute(const Points &x, Equilibrium &equilibrium) {
     const Eigen::VectorXd &residual = equilibrium.residual();
-    double floor = notional_force_density(equilibrium);
-    // Positive definite in exact arithmetic; rounding may ask for a larger pull.
-    for (int attempt = 0; attempt < 8 && !factorise(x, equilibrium, floor); ++attempt)
-        floor *= 100;
-    direction_ = factor_.solve(residual);
-    is_newton_step_ = solve_full_tangent(x, equilibrium, floor);
+    const double floor = notional_force_density(equilibrium);
+    // Positive definite in exact arithmetic; rounding may ask for a larger pull in the factor, which only
+    // preconditions.
+    is_newton_step_ = false;
+    direction_.setZero(residual.size());
+    double pull = floor;
+    for (int attempt = 0; attempt < 12; ++attempt, pull *= 100)
+        if (factorise(x, equilibrium, pull)) {
+            direction_ = factor_.solve(residual);
+            is_newton_step_ = solve_full_tangent(x, equilibrium, floor);
+            break;
+        }
 
     equilibrium.scene().freedoms().expand(direction_, motion_);
     largest_motion_ = motion_.rowwise().norm().maxCoeff();
@@ -82,6 +90,8 @@ bool NewtonDirection::factorise(const Points &x, Equilibrium &equilibrium, doubl
     equilibrium.member_tangent(x, {.floor = floor, .convex = true}, member_blocks_);
     // Symmetric, so that column-major storage holds the matrix itself.
     member_blocks_.reduce(equilibrium.scene().freedoms(), member_tangent_);
+    for (Index unknown = 0; unknown < member_tangent_.rows(); ++unknown)
+        member_tangent_.coeffRef(unknown, unknown) += notional_ground * floor;
     if (!analysed_) {
         factor_.analyzePattern(member_tangent_);
         analysed_ = true;

@@ -9,25 +9,24 @@ namespace {
 
 // Below one, as the loads' dependence on the shape adds a little to the eigenvalues.
 constexpr double part_of_stable_step = 0.9;
+// At the level of rounding the residual falls no further, and the error is looked at all the same.
+constexpr long most_between_checks = 1000;
 
 } // namespace
 
 Relaxation::Relaxation(const Equilibrium &equilibrium) : motion_(equilibrium.scene().net().node_count(), 3) {
-    const Scene &scene = equilibrium.scene();
-    Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(scene.net().node_count());
-    for (Index e = 0; e < scene.net().member_count(); ++e)
-        for (const Index end : scene.net().members()[e])
-            stiffness[end] += scene.axial().stiffness()[e];
-    for (const auto &support : scene.elastic_supports())
-        stiffness[support.node] += support.stiffness.diagonal().maxCoeff();
-    // A node without members or springs is held, and does not move.
+    const Eigen::VectorXd &stiffness = equilibrium.nodal_stiffness();
+    // A node without members is held in every direction, and does not move.
     mobility_ = (stiffness.array() > 0).select(part_of_stable_step / stiffness.array(), 0.0);
 }
 
 double Relaxation::position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) {
     constexpr double unknown = std::numeric_limits<double>::infinity();
-    if (!residual_is_small(equilibrium, goal) || equilibrium.relative_residual() > next_check_)
+    ++since_check_;
+    if (equilibrium.significant_residual() > goal.tolerance ||
+        (equilibrium.relative_residual() > next_check_ && since_check_ < most_between_checks))
         return unknown;
+    since_check_ = 0;
     if (!direction_)
         direction_ = std::make_unique<NewtonDirection>(equilibrium);
     direction_->compute(x, equilibrium);

@@ -26,6 +26,7 @@ private:
     Eigen::VectorXd mobility_; ///< one for each node
     Points motion_;
     std::unique_ptr<NewtonDirection> direction_;
+    long since_check_ = 0;
     double next_check_ =
         std::numeric_limits<double>::infinity(); ///< residual below which the error is looked at again
 };

@@ -8,6 +8,7 @@
 #include "effects/snow.hpp"
 #include "errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -84,9 +85,11 @@ Scene::Scene(std::shared_ptr<const Net> net, std::vector<Support> supports,
              .length = power_of_two_above(net_->size()),
              .force = power_of_two_above(rough_nodal_load(*net_, effects))},
       freedoms_(*net_, supports_) {
-    check_every_component_is_held(*net_, supports_);
+    check_every_component_is_held(*net_, supports_, freedoms_);
 
     for (const auto &effect : effects) {
+        if (const auto *point = std::get_if<PointLoad>(&effect))
+            PointLoads(*net_, *point, scale_); // a wrong one is an error also where it has no force
         if (std::visit([](const auto &part) { return is_absent(part); }, effect))
             continue;
         descriptions_.push_back(effect);
@@ -118,11 +121,19 @@ Scene::Scene(std::shared_ptr<const Net> net, std::vector<Support> supports,
     }
 }
 
-Scene Scene::with_stiffness_factor(double factor) const {
+Scene Scene::with_stiffness_up_to(double most) const {
     auto effects = descriptions_;
     for (auto &effect : effects)
-        if (auto *axial = std::get_if<AxialStiffness>(&effect))
-            axial->stiffness *= factor;
+        if (auto *axial = std::get_if<AxialStiffness>(&effect)) {
+            // One value no longer serves all members where k is limited but given per spring.
+            if (axial->stiffness.size() == 1 && axial->per_spring)
+                axial->stiffness = Eigen::VectorXd::Constant(net_->member_count(), axial->stiffness[0]);
+            for (Index e = 0; e < axial->stiffness.size(); ++e) {
+                const double length =
+                    axial->per_spring ? std::max(rest_lengths_[e], net_->source_lengths()[e]) : 1;
+                axial->stiffness[e] = std::min(axial->stiffness[e], most / length);
+            }
+        }
     return {net_, supports_, effects, rest_lengths_};
 }
 

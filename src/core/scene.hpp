@@ -38,8 +38,8 @@ public:
     [[nodiscard]] Scene with_rest_lengths(Eigen::VectorXd rest_lengths) const {
         return {net_, supports_, descriptions_, std::move(rest_lengths)};
     }
-    /// The same scene with members this many times as stiff.
-    [[nodiscard]] Scene with_stiffness_factor(double factor) const;
+    /// The same scene with no member stiffer than k r = `most` [N], r its rest length.
+    [[nodiscard]] Scene with_stiffness_up_to(double most) const;
 
     // For the solver, in the scene's own units.
     [[nodiscard]] const Scale &scale() const { return scale_; }

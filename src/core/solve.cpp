@@ -6,6 +6,7 @@
 #include "relaxation.hpp"
 #include "text.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -17,20 +18,23 @@ namespace {
 
 constexpr long most_newton_steps = 1000;
 constexpr long most_relaxation_steps = 10'000'000;
+// Where Newton's method found no step, relaxation gets so far or not at all.
+constexpr long most_steps_after_newton = 100'000;
 constexpr double seconds_between_reports = 0.01;
 constexpr std::size_t longest_history = 4096;
 // A net that has grown to this many times its size has no equilibrium that anyone would build.
-constexpr double runaway_growth = 1e4;
+constexpr double runaway_growth = 1e5;
 
 double clock_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 void check(const Scene &scene, const SolveOptions &options) {
-    if (!(options.accuracy > 0))
-        throw InvalidInput("accuracy must be positive, in metres");
-    if (!(options.tolerance > 0))
-        throw InvalidInput("tolerance must be positive (a residual relative to the mean nodal load)");
+    if (!(options.accuracy > 0) || !std::isfinite(options.accuracy))
+        throw InvalidInput("accuracy must be positive and finite, in metres");
+    if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
+        throw InvalidInput(
+            "tolerance must be positive and finite (a residual relative to the mean nodal load)");
     if (!(options.max_seconds >= 0))
         throw InvalidInput("max_seconds must be zero or positive");
     if (options.max_iterations && *options.max_iterations < 0)
@@ -70,11 +74,6 @@ Points reactions_at(const Points &x, const Equilibrium &equilibrium) {
     return reactions * scene.scale().force;
 }
 
-std::string limit_message(const std::string &limit, const Report &report) {
-    return "Stopped at the limit of " + limit + " with a relative residual of " + to_text(report.residual) +
-           ": this is not an equilibrium. Allow more, or ask for less accuracy.";
-}
-
 } // namespace
 
 Solver::Solver(std::shared_ptr<const Scene> scene, SolveOptions options)
@@ -89,6 +88,7 @@ void Solver::begin(const Points &local_start) {
     goal_ = {.tolerance = options_.tolerance, .accuracy = options_.accuracy / scene_->scale().length};
     equilibrium_ = std::make_unique<Equilibrium>(scene_);
     x_ = on_supports(*scene_, local_start);
+    extent_ = std::max(x_.cwiseAbs().maxCoeff(), scene_->net().size() / scene_->scale().length);
     equilibrium_->evaluate(x_);
     report_ = {};
     history_.clear();
@@ -115,7 +115,9 @@ void Solver::replace(std::shared_ptr<const Scene> scene) {
     if (scene->net().node_count() != x_.rows())
         throw InvalidInput("scene has " + std::to_string(scene->net().node_count()) +
                            " nodes, but the shape to go on from has " + std::to_string(x_.rows()));
-    const Points shape = scene_->scale().to_metres(x_);
+    const std::scoped_lock lock(working_);
+    const Points shape =
+        status_ == Status::no_equilibrium ? scene->net().nodes() : scene_->scale().to_metres(x_);
     scene_ = std::move(scene);
     begin(scene_->scale().to_local(shape));
 }
@@ -161,6 +163,9 @@ bool Solver::end(Status status, std::string message) {
 }
 
 bool Solver::advance(double max_seconds) {
+    if (!(max_seconds >= 0))
+        throw InvalidInput("max_seconds must be zero or positive");
+    const std::scoped_lock lock(working_);
     if (status_)
         return true;
     struct Clock { // keeps the time also when a callback throws
@@ -196,32 +201,70 @@ bool Solver::measure() {
            end(Status::cancelled, "Cancelled. The shape is that of the last iteration, not an equilibrium.");
 }
 
+std::string Solver::limit_message(const std::string &limit) const {
+    const std::string missed =
+        report_.residual > goal_.tolerance
+            ? "The relative residual is " + to_text(report_.residual) + ", where " +
+                  to_text(goal_.tolerance) + " was asked for: this is not an equilibrium."
+            : "The residual is small, but nodes may be " + to_text(report_.position_error) +
+                  " m from equilibrium, where " + to_text(options_.accuracy) + " m was asked for.";
+    return "Stopped at the limit of " + limit + ". " + missed + " Allow more, or ask for less accuracy.";
+}
+
+bool Solver::has_run_away() const {
+    return report_.iteration > 0 && !(x_.cwiseAbs().maxCoeff() < runaway_growth * extent_);
+}
+
+std::string Solver::runaway_message() const {
+    double longest = 0;
+    for (const auto &[i, j] : scene_->net().members())
+        longest = std::max(longest, (x_.row(j) - x_.row(i)).norm());
+    if (longest < extent_)
+        return "No equilibrium: the net moves away as a whole. Its supports are too weak, or leave it free "
+               "in a "
+               "direction in which a load acts: hold it there.";
+    return "No equilibrium: the net grows without bound, as its weight is too large for its stiffness. Raise "
+           "the "
+           "axial stiffness, or lower the weights.";
+}
+
 bool Solver::end_if_decided() {
-    if (Iteration::residual_is_small(*equilibrium_, goal_) && report_.position_error <= options_.accuracy)
-        return end(Status::converged, report_.residual <= goal_.tolerance
-                                          ? "In equilibrium."
-                                          : "In equilibrium as far as rounding lets one tell: the members "
-                                            "are too stiff for a smaller residual.");
-    const double size = scene_->net().size() / scene_->scale().length;
-    if (!(x_.cwiseAbs().maxCoeff() < runaway_growth * size))
-        return end(Status::no_equilibrium,
-                   "No equilibrium: the net grows without bound, as its weight is too large for its "
-                   "stiffness. Raise the axial stiffness, or lower the weights.");
-    const long limit = options_.max_iterations.value_or(method_ == Method::relaxation ? most_relaxation_steps
-                                                                                      : most_newton_steps);
-    if (report_.iteration >= limit)
-        return end(Status::iteration_limit, limit_message(std::to_string(limit) + " iterations", report_));
+    const bool is_near = report_.position_error <= options_.accuracy;
+    if (is_near && equilibrium_->significant_residual() <= goal_.tolerance)
+        return end(Status::converged,
+                   report_.residual <= goal_.tolerance
+                       ? "In equilibrium."
+                       : "In equilibrium as far as rounding lets one tell: members or supports "
+                         "are too stiff for a residual below " +
+                             to_text(report_.residual) + ".");
+    if (is_near && equilibrium_->is_hidden_by_rounding(goal_.tolerance))
+        return end(
+            Status::iteration_limit,
+            "Members or supports are so stiff for their load that rounding makes a relative residual of " +
+                to_text(report_.residual) + ": their forces cannot be told. Lower the stiffness.");
+    if (has_run_away())
+        return end(Status::no_equilibrium, runaway_message());
+    if (report_.iteration >= iteration_limit())
+        return end(Status::iteration_limit, limit_message(std::to_string(iteration_limit()) + " iterations"));
     if (seconds() >= options_.max_seconds)
-        return end(Status::time_limit, limit_message(to_text(options_.max_seconds) + " seconds", report_));
+        return end(Status::time_limit, limit_message(to_text(options_.max_seconds) + " seconds"));
     return false;
+}
+
+long Solver::iteration_limit() const {
+    if (options_.max_iterations)
+        return *options_.max_iterations;
+    if (method_ == Method::newton)
+        return most_newton_steps;
+    return options_.method == Method::relaxation ? most_relaxation_steps : most_steps_after_newton;
 }
 
 bool Solver::make_move() {
     if (iteration_->move(x_, *equilibrium_) == Iteration::Move::impossible) {
-        if (options_.method != Method::automatic)
-            return end(Status::iteration_limit, "Newton's method found no step that lowers the residual of " +
-                                                    to_text(report_.residual) +
-                                                    ". Use method \"auto\" or \"relaxation\".");
+        const bool only_accuracy_is_missing = report_.residual <= goal_.tolerance;
+        if (options_.method != Method::automatic || only_accuracy_is_missing)
+            return end(Status::iteration_limit,
+                       limit_message("what Newton's method can do (no step from here lowers the residual)"));
         use(Method::relaxation);
         iteration_->move(x_, *equilibrium_);
     }
@@ -231,6 +274,7 @@ bool Solver::make_move() {
 }
 
 Result Solver::result() const {
+    const std::scoped_lock lock(working_);
     const Scale &scale = scene_->scale();
     Result result;
     result.nodes = scale.to_metres(x_);

@@ -32,13 +32,14 @@ public:
     /// \throws InvalidInput for an accuracy, tolerance, limit or start that cannot be meant.
     Solver(std::shared_ptr<const Scene> scene, SolveOptions options = {});
 
-    /// Goes on for this time, give or take an iteration, and for one iteration at least.
+    /// Goes on for this time, give or take an iteration, and for one iteration at least. Other threads that
+    /// advance, replace or ask for the result wait for it.
     /// \returns whether the solve has ended
     bool advance(double max_seconds = std::numeric_limits<double>::infinity());
-    /// Goes on from the present shape with another scene, which must have as many nodes.
-    /// \throws InvalidInput for another number of nodes
+    /// Goes on from the present shape with another scene, which must have as many nodes; from that scene's
+    /// net where the present shape has run away. \throws InvalidInput for another number of nodes
     void replace(std::shared_ptr<const Scene> scene);
-    /// The latest shape [m]; may be asked from another thread at any time.
+    /// The latest shape [m]. May be asked from another thread at any time, and does not wait.
     [[nodiscard]] Points nodes() const;
     [[nodiscard]] Result result() const;
 
@@ -47,10 +48,14 @@ private:
     void use(Method method);
     void publish();
     bool told(const Report &report);
+    [[nodiscard]] std::string limit_message(const std::string &limit) const;
+    [[nodiscard]] bool has_run_away() const;
+    [[nodiscard]] std::string runaway_message() const;
     bool end(Status status, std::string message);
     bool measure();
     bool end_if_decided();
     bool make_move();
+    [[nodiscard]] long iteration_limit() const;
     [[nodiscard]] double seconds() const;
 
     std::shared_ptr<const Scene> scene_;
@@ -60,6 +65,7 @@ private:
     std::unique_ptr<Iteration> iteration_;
     Method method_ = Method::newton;
     Points x_;
+    double extent_ = 0; ///< of the start shape, in the scene's own units
     Report report_;
     bool is_measured_ = false;
     std::optional<Status> status_;
@@ -70,6 +76,9 @@ private:
     std::vector<Report> history_;
     long history_stride_ = 1;
 
+    /// Held while an iteration runs or the solver is changed; whoever only looks at `published_` need not
+    /// wait for it.
+    mutable std::mutex working_;
     mutable std::mutex published_guard_;
     Points published_;
 };

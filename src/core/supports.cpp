@@ -132,8 +132,13 @@ void Freedoms::expand(const Eigen::VectorXd &unknowns, Points &vectors) const {
     }
 }
 
-void check_every_component_is_held(const Net &net, const std::vector<Support> &supports) {
+void check_every_component_is_held(const Net &net, const std::vector<Support> &supports,
+                                   const Freedoms &freedoms) {
     const auto component_of = components(net);
+    std::vector<bool> has_members(net.node_count(), false);
+    for (const auto &[i, j] : net.members())
+        has_members[i] = has_members[j] = true;
+    const auto is_alone = [&has_members](Index node) { return !has_members[node]; };
     std::vector<double> held_up(net.node_count(), -1.0);
     for (const Support &support : supports) {
         if (support.stiffness == 0)
@@ -148,6 +153,9 @@ void check_every_component_is_held(const Net &net, const std::vector<Support> &s
         if (held_up[component] < 0)
             throw InvalidInput("supports: " + describe(component_of, component) +
                                " has no support: fix at least one of its nodes");
+        if (is_alone(component) && freedoms.count(component) > 0)
+            throw InvalidInput("supports: node " + std::to_string(component) +
+                               " has no members, so that nothing brings it to rest: fix it, or leave it out");
         if (held_up[component] < same_direction)
             throw InvalidInput("supports: nothing holds " + describe(component_of, component) +
                                " vertically: fix at least one of its nodes");

@@ -46,7 +46,9 @@ struct ElasticSupport {
     Vector3 anchor;
 };
 
-/// \throws InvalidInput if a connected part of the net has no support, or nothing that holds it vertically.
-void check_every_component_is_held(const Net &net, const std::vector<Support> &supports);
+/// \throws InvalidInput if a connected part of the net has no support, or nothing that holds it vertically,
+/// or if a node without members is left free to move.
+void check_every_component_is_held(const Net &net, const std::vector<Support> &supports,
+                                   const Freedoms &freedoms);
 
 } // namespace funicular

@@ -81,6 +81,48 @@ TEST(Certificate, SeesReactionsThatDoNotBalance) {
     EXPECT_NEAR(certificate_of(scene, result).balance, 1e-3, 1e-4);
 }
 
+TEST(Certificate, OneStiffMemberExcusesNoOtherNode) {
+    auto stiffness = Eigen::VectorXd::Constant(10, 1e4).eval();
+    stiffness[0] = 1e16;
+    const Scene scene(straight_chain(10, 10), {{.kind = SupportKind::fixed, .nodes = {0, 10}}},
+                      {AxialStiffness{stiffness}, MemberWeight{1}});
+    const Points flat = scene.net().nodes().rowwise() - scene.net().centre().transpose();
+    const auto certificate = certify(scene, flat, nullptr, 1e-6);
+    EXPECT_FALSE(certificate.in_equilibrium);
+    EXPECT_FALSE(certificate.compression_only);
+    EXPECT_GT(certificate.max_residual, 0.5);
+}
+
+TEST(Certificate, SeesNodesOffTheirSupports) {
+    const auto scene = warped_roof();
+    auto result = solved(scene);
+    Points lifted = result.centred_nodes;
+    lifted.col(2).array() += 10;
+    const auto certificate = certify(*scene, lifted, nullptr, 1e-9);
+    EXPECT_FALSE(certificate.in_equilibrium);
+    EXPECT_NEAR(certificate.support_error, 10, 1e-9);
+    EXPECT_NE(certificate.summary().find("off its support"), std::string::npos);
+}
+
+TEST(Certificate, WhatIsNotANumberIsNoEquilibrium) {
+    const auto scene = warped_roof();
+    const Points wild = 1e200 * Points::Random(scene->net().node_count(), 3);
+    const auto certificate = certify(*scene, wild, nullptr, 1e-6);
+    EXPECT_FALSE(certificate.in_equilibrium);
+    EXPECT_FALSE(certificate.compression_only);
+    EXPECT_GT(certificate.max_residual, 1);
+}
+
+TEST(Certificate, ANetThatCarriesNothingIsNotCalledCompressed) {
+    const Scene scene(flat_sheet(3, 3, 1), {{.kind = SupportKind::fixed, .nodes = {0, 3, 12, 15}}},
+                      {AxialStiffness{Eigen::VectorXd::Constant(1, 1e4)}});
+    const auto certificate =
+        certify(scene, scene.net().nodes().rowwise() - scene.net().centre().transpose(), nullptr, 1e-6);
+    EXPECT_TRUE(certificate.in_equilibrium);
+    EXPECT_FALSE(certificate.compression_only);
+    EXPECT_NE(certificate.summary().find("Nothing carries"), std::string::npos);
+}
+
 TEST(Certificate, RecomputesReactionsOfABareShape) {
     const auto scene = warped_roof();
     const auto result = solved(scene);

@@ -114,7 +114,7 @@ TEST(Tangent, OfSnow) {
 
 TEST(Tangent, OfPointLoadIsNothing) {
     const auto net = odd_net();
-    expect_tangent_of_forces(PointLoads(*net, {{3, 3, 5}, {1, 2, -3}}, unit), net->nodes());
+    expect_tangent_of_forces(PointLoads(*net, {{3, 5}, {1, 2, -3}}, unit), net->nodes());
 }
 
 TEST(Tangent, OfTheWholeSceneIsThatOfItsResidual) {
@@ -171,6 +171,7 @@ TEST(Effects, RefuseWhatCannotBeMeant) {
     expect_invalid([&] { SnowLoads(*no_panels, {5}, unit); }, {"Snow", "no panels"});
     expect_invalid([&] { PointLoads(*net, {{1, 9}, {0, 0, 1}}, unit); }, {"PointLoad", "ids[1] is 9"});
     expect_invalid([&] { PointLoads(*net, {{1}, {0, 0, std::nan("")}}, unit); }, {"PointLoad", "force"});
+    expect_invalid([&] { PointLoads(*net, {{3, 5, 3}, {0, 0, 1}}, unit); }, {"PointLoad", "node 3 twice"});
 }
 
 } // namespace

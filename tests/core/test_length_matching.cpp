@@ -51,7 +51,17 @@ TEST(LengthMatching, ReturnsTheUnfinishedResultWithItsStatus) {
     options.max_iterations = 1;
     const auto matching = solve_matching_lengths(hemisphere(12, 6, 5, 1e5, true, 20), 5, options);
     EXPECT_EQ(matching.result.status, Status::iteration_limit);
+    EXPECT_EQ(matching.status, Status::iteration_limit);
     EXPECT_TRUE(matching.deviations.empty());
+}
+
+TEST(LengthMatching, TellsOfALaterRoundThatWasCancelled) {
+    SolveOptions options;
+    int begun = 0;
+    options.on_progress = [&begun](const Report &report) { return (begun += report.iteration == 0) < 3; };
+    const auto matching = solve_matching_lengths(hemisphere(12, 6, 5, 1e5, true, 20), 5, options);
+    EXPECT_EQ(matching.status, Status::cancelled);
+    EXPECT_EQ(matching.result.status, Status::converged) << "the best before is kept";
 }
 
 TEST(LengthMatching, NeedsAResultOfTheSameNet) {

@@ -15,6 +15,10 @@ Support plane(std::vector<Index> nodes, const Vector3 &normal) {
     return {.kind = SupportKind::on_plane, .nodes = std::move(nodes), .direction = normal};
 }
 
+void check_held(const Net &net, const std::vector<Support> &supports) {
+    check_every_component_is_held(net, supports, Freedoms(net, supports));
+}
+
 Vector3 free_part(const Freedoms &freedoms, Index node, const Vector3 &vector) {
     const auto basis = freedoms.basis(node).leftCols(freedoms.count(node));
     return basis * (basis.transpose() * vector);
@@ -73,21 +77,59 @@ TEST(Supports, NameWhatIsWrong) {
 TEST(Supports, EveryComponentMustBeHeld) {
     const Points nodes = (Points(5, 3) << 0, 0, 0, 1, 0, 0, 5, 0, 0, 6, 0, 0, 7, 0, 0).finished();
     const Net net(nodes, {{0, 1}, {2, 3}, {3, 4}});
-    expect_invalid([&] { check_every_component_is_held(net, {fixed({0})}); },
-                   {"component of 3 nodes (2, 3, 4)", "no support"});
+    expect_invalid([&] { check_held(net, {fixed({0})}); }, {"component of 3 nodes (2, 3, 4)", "no support"});
     expect_invalid(
         [&] {
-            check_every_component_is_held(net, {fixed({0}), line({2, 3}, Vector3::UnitZ())});
+            check_held(net, {fixed({0}), line({2, 3}, Vector3::UnitZ())});
         },
         {"component of 3 nodes (2, 3, 4)", "vertically"});
     auto lifted = fixed({2});
     lifted.stiffness = 0;
+    expect_invalid([&] { check_held(net, {fixed({0}), lifted}); }, {"component of 3 nodes", "no support"});
+    EXPECT_NO_THROW(check_held(net, {fixed({0}), line({4}, {1, 0, 1})}));
+}
+
+TEST(Supports, ANodeWithoutMembersMustBeHeldWhole) {
+    const Net net((Points(3, 3) << 0, 0, 0, 1, 0, 0, 5, 0, 0).finished(), {{0, 1}});
     expect_invalid(
         [&] {
-            check_every_component_is_held(net, {fixed({0}), lifted});
+            check_held(net, {fixed({0}), plane({2}, Vector3::UnitZ())});
         },
-        {"component of 3 nodes", "no support"});
-    EXPECT_NO_THROW(check_every_component_is_held(net, {fixed({0}), line({4}, {1, 0, 1})}));
+        {"node 2", "no members"});
+    EXPECT_NO_THROW(check_held(net, {fixed({0, 2})}));
+}
+
+TEST(Supports, ATiltedSpringIsAsStableForTheRelaxation) {
+    auto spring = plane({1}, {1, 1, 1});
+    spring.stiffness = 1e6;
+    const auto scene = std::make_shared<const Scene>(
+        straight_chain(2, 2), std::vector<Support>{fixed({0, 2}), spring},
+        std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e3)}, MemberWeight{1}});
+    const auto newton = solved(scene, Method::newton);
+    SolveOptions options;
+    options.method = Method::relaxation;
+    const auto relaxation = solve(scene, options);
+    ASSERT_EQ(newton.status, Status::converged) << newton.message;
+    ASSERT_EQ(relaxation.status, Status::converged) << relaxation.message;
+    EXPECT_LT(distance(newton.nodes, relaxation.nodes), 1e-3);
+}
+
+TEST(Supports, ANetFreeToSlideStaysWhereItIs) {
+    // Planes that leave every horizontal direction free, and no horizontal load.
+    const auto net = flat_sheet(4, 4, 1);
+    const auto scene = std::make_shared<const Scene>(
+        net, std::vector<Support>{plane(net->border(), Vector3::UnitZ())},
+        std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e4)}, MemberWeight{5}});
+    for (const Method method : {Method::newton, Method::automatic}) {
+        SolveOptions options;
+        options.method = method;
+        const auto result = solve(scene, options);
+        if (result.status == Status::converged) {
+            EXPECT_LT((result.nodes.colwise().mean() - net->nodes().colwise().mean()).head<2>().norm(), 1e-3);
+        } else {
+            EXPECT_NE(result.message, "");
+        }
+    }
 }
 
 TEST(Supports, AWeakSupportYieldsByItsReaction) {

@@ -3,6 +3,7 @@
 #include "length_matching.hpp"
 #include "scene.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -47,12 +48,15 @@ struct OnLine : Support {};
 struct OnPlane : Support {};
 
 template <class Kind>
-Kind make_support(SupportKind kind, const py::object &ids, const Vector3 &direction, double stiffness) {
+Kind make_support(SupportKind kind, const py::object &ids, const Vector3 &direction,
+                  const py::object &stiffness) {
     Kind support;
     support.kind = kind;
     support.nodes = ids_from(ids, "ids");
+    std::sort(support.nodes.begin(), support.nodes.end());
+    support.nodes.erase(std::unique(support.nodes.begin(), support.nodes.end()), support.nodes.end());
     support.direction = direction;
-    support.stiffness = stiffness;
+    support.stiffness = number_from(stiffness, "stiffness");
     return support;
 }
 
@@ -115,15 +119,16 @@ py::object support_to_python(const Support &support) {
 void bind_scene(py::module_ &module) {
     bind_support<Fixed>(module, "Fixed", R"(Nodes that stay where they are in the source net.
 
-ids: node numbers. stiffness: [N/m]; finite yields like a spring.)")
-        .def(py::init([](const py::object &ids, double stiffness) {
+ids: node numbers. stiffness: [N/m]; finite lets the hanging model pull the node off its place, along its reaction: a way of letting go of a
+support, not the settlement of a foundation.)")
+        .def(py::init([](const py::object &ids, const py::object &stiffness) {
                  return make_support<Fixed>(SupportKind::fixed, ids, Vector3::UnitZ(), stiffness);
              }),
              py::arg("ids"), py::arg("stiffness") = rigid);
     bind_support<OnLine>(module, "OnLine", R"(Nodes that stay on a line through their place in the source net.
 
 ids: node numbers. direction: of the line, vertical by default. stiffness: [N/m], against motion off the line.)")
-        .def(py::init([](const py::object &ids, const py::object &direction, double stiffness) {
+        .def(py::init([](const py::object &ids, const py::object &direction, const py::object &stiffness) {
                  return make_support<OnLine>(SupportKind::on_line, ids, vector3_from(direction, "direction"),
                                              stiffness);
              }),
@@ -135,7 +140,7 @@ ids: node numbers. direction: of the line, vertical by default. stiffness: [N/m]
                           R"(Nodes that stay on a plane through their place in the source net.
 
 ids: node numbers. normal: of the plane; horizontal for a vertical plane. stiffness: [N/m], against motion off the plane.)")
-        .def(py::init([](const py::object &ids, const py::object &normal, double stiffness) {
+        .def(py::init([](const py::object &ids, const py::object &normal, const py::object &stiffness) {
                  return make_support<OnPlane>(SupportKind::on_plane, ids, vector3_from(normal, "normal"),
                                               stiffness);
              }),
@@ -156,7 +161,7 @@ compression_only: members that would be pulled carry nothing, T = max(0, k (l - 
              py::arg("per_spring") = false)
         .def_property_readonly("stiffness",
                                [](const AxialStiffness &self) {
-                                   return Eigen::VectorXd(self.stiffness).eval().size() == 1
+                                   return self.stiffness.size() == 1
                                               ? py::object(py::float_(self.stiffness[0]))
                                               : py::object(read_only(self.stiffness, py::cast(self)));
                                })
@@ -164,15 +169,16 @@ compression_only: members that would be pulled carry nothing, T = max(0, k (l - 
         .def_readonly("per_spring", &AxialStiffness::per_spring);
     bind_effect<MemberWeight>(module, "MemberWeight",
                               R"(Weight of the members by their present length [kg/m] (section 3.3).)")
-        .def(py::init<double>(), py::arg("weight"))
+        .def(py::init([](const py::object &weight) { return MemberWeight{number_from(weight, "weight")}; }),
+             py::arg("weight"))
         .def_readonly("weight", &MemberWeight::per_length);
     bind_effect<CoveringWeight>(module, "CoveringWeight",
                                 R"(Weight of the panels by their present area [kg/m²] (section 4.1).
 
 share: how a panel's weight goes to its corners: "angle" (by interior angle, the paper's), "equal" or "voronoi" (the nearest area).
 The area of a panel that is not plane is that of the triangles between its edges and the mean of its corners.)")
-        .def(py::init([](double weight, const std::string &share) {
-                 return CoveringWeight{weight, share_from(share)};
+        .def(py::init([](const py::object &weight, const std::string &share) {
+                 return CoveringWeight{number_from(weight, "weight"), share_from(share)};
              }),
              py::arg("weight"), py::arg("share") = "angle")
         .def_readonly("weight", &CoveringWeight::per_area)
@@ -189,7 +195,8 @@ The area of a panel that is not plane is that of the triangles between its edges
             return py::make_tuple(self.force.x(), self.force.y(), self.force.z());
         });
     bind_effect<Snow>(module, "Snow", R"(A load [N/m²] on the panels' area in plan.)")
-        .def(py::init<double>(), py::arg("pressure"))
+        .def(py::init([](const py::object &pressure) { return Snow{number_from(pressure, "pressure")}; }),
+             py::arg("pressure"))
         .def_readonly("pressure", &Snow::pressure);
 
     py::class_<Scene, std::shared_ptr<Scene>>(

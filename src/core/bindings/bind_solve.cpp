@@ -3,7 +3,9 @@
 #include "convert.hpp"
 #include "length_matching.hpp"
 #include "solve.hpp"
+#include "text.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -34,19 +36,23 @@ std::function<bool(const Report &)> progress_from(const py::object &callback) {
         if (!callback)
             return true;
         const py::object answer = callback(report);
-        return answer.is_none() || answer.cast<bool>();
+        const int goes_on = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
+        if (goes_on < 0)
+            throw py::error_already_set();
+        return goes_on == 1;
     };
 }
 
-SolveOptions options_from(double accuracy, double tolerance, const std::string &method,
-                          const std::optional<double> &max_seconds, const std::optional<long> &max_iterations,
+SolveOptions options_from(const py::object &accuracy, const py::object &tolerance, const std::string &method,
+                          const py::object &max_seconds, const py::object &max_iterations,
                           const py::object &on_progress, const py::object &start) {
     SolveOptions options;
-    options.accuracy = accuracy;
-    options.tolerance = tolerance;
+    options.accuracy = number_from(accuracy, "accuracy");
+    options.tolerance = number_from(tolerance, "tolerance");
     options.method = method_from(method);
-    options.max_seconds = max_seconds.value_or(no_limit);
-    options.max_iterations = max_iterations;
+    options.max_seconds = max_seconds.is_none() ? no_limit : number_from(max_seconds, "max_seconds");
+    if (!max_iterations.is_none())
+        options.max_iterations = count_from(max_iterations, "max_iterations");
     options.on_progress = progress_from(on_progress);
     if (!start.is_none())
         options.start = points_from(start, "start");
@@ -77,19 +83,23 @@ py::array vector_of(const Vector3 &vector) {
     return py::array_t<double>(3, vector.data());
 }
 
-Certificate certify_any(const Scene &scene, const py::object &shape, const std::optional<double> &tolerance) {
+Certificate certify_any(const Scene &scene, const py::object &shape, const py::object &tolerance) {
+    const auto allowed_or = [&tolerance](double otherwise) {
+        const double allowed = tolerance.is_none() ? otherwise : number_from(tolerance, "tolerance");
+        if (!(allowed > 0))
+            throw InvalidInput("tolerance must be positive (a residual relative to the mean nodal load)");
+        return allowed;
+    };
     if (py::isinstance<Result>(shape)) {
         const auto &result = shape.cast<const Result &>();
         // A residual that met its tolerance by a hair may miss it by rounding here.
-        const double allowed = tolerance.value_or(1.001 * result.tolerance);
-        return certify(scene, result.centred_nodes, &result.reactions, allowed);
+        return certify(scene, result.centred_nodes, &result.reactions, allowed_or(1.001 * result.tolerance));
     }
     const Points nodes = points_from(shape, "result");
     for (Index i = 0; i < nodes.rows(); ++i)
         if (!nodes.row(i).allFinite())
             throw InvalidInput("result[" + std::to_string(i) + "] is not finite");
-    return certify(scene, nodes.rowwise() - scene.net().centre().transpose(), nullptr,
-                   tolerance.value_or(1e-6));
+    return certify(scene, nodes.rowwise() - scene.net().centre().transpose(), nullptr, allowed_or(1e-6));
 }
 
 } // namespace
@@ -102,7 +112,7 @@ void bind_solve(py::module_ &module) {
         .def_readonly("position_error", &Report::position_error, "[m]; infinite while it is not known")
         .def("__repr__", [](const Report &self) {
             return "<funicular.Report " + std::to_string(self.iteration) + ": residual " +
-                   std::to_string(self.residual) + ">";
+                   to_text(self.residual) + ">";
         });
 
     py::class_<Result, std::shared_ptr<Result>>(
@@ -141,9 +151,9 @@ void bind_solve(py::module_ &module) {
 
     module.def(
         "solve",
-        [](const std::shared_ptr<Scene> &scene, double accuracy, double tolerance, const std::string &method,
-           const std::optional<double> &max_seconds, const py::object &on_progress, const py::object &start,
-           const std::optional<long> &max_iterations) {
+        [](const std::shared_ptr<Scene> &scene, const py::object &accuracy, const py::object &tolerance,
+           const std::string &method, const py::object &max_seconds, const py::object &on_progress,
+           const py::object &start, const py::object &max_iterations) {
             auto options =
                 options_from(accuracy, tolerance, method, max_seconds, max_iterations, on_progress, start);
             const py::gil_scoped_release no_gil;
@@ -169,36 +179,42 @@ Other Python threads run meanwhile. Raises InvalidInput for arguments that canno
         .def_readonly("deviations", &LengthMatching::deviations,
                       "Root mean square of (l' - L) / L after each round; first without matching")
         .def_readonly("best_round", &LengthMatching::best_round)
+        .def_property_readonly(
+            "status", [](const LengthMatching &self) { return status_name(self.status); },
+            "How the last round ended; `result` is the best of those that converged")
         .def_readonly("stopped_improving", &LengthMatching::stopped_improving);
     module.def(
         "solve_matching_lengths",
-        [](const std::shared_ptr<Scene> &scene, Index rounds, double accuracy, double tolerance,
-           const std::string &method, const std::optional<double> &max_seconds, const py::object &on_progress,
-           const py::object &start, const std::optional<long> &max_iterations) {
+        [](const std::shared_ptr<Scene> &scene, const py::object &rounds, const py::object &accuracy,
+           const py::object &tolerance, const std::string &method, const py::object &max_seconds,
+           const py::object &on_progress, const py::object &start, const py::object &max_iterations) {
             auto options =
                 options_from(accuracy, tolerance, method, max_seconds, max_iterations, on_progress, start);
+            const auto count = static_cast<Index>(std::clamp(count_from(rounds, "rounds"), -1L, 1'000'000L));
             const py::gil_scoped_release no_gil;
-            return solve_matching_lengths(scene, rounds, std::move(options));
+            return solve_matching_lengths(scene, count, std::move(options));
         },
         py::arg("scene"), py::arg("rounds") = 5, py::arg("accuracy") = 1e-3, py::arg("tolerance") = 1e-6,
         py::arg("method") = "auto", py::arg("max_seconds") = py::none(), py::arg("on_progress") = py::none(),
         py::arg("start") = py::none(), py::arg("max_iterations") = py::none(),
         R"(Solves, sets rest lengths r ← r L / l' and solves again, `rounds` times, keeping the best (Brivio et al. 2009, section 4.2).
 
-Limits hold for each solve. Ends early when three rounds in a row have not lowered the deviation.)");
+The time limit is for all rounds together. Ends early when three rounds in a row have not lowered the deviation.)");
 
     py::class_<Certificate>(module, "Certificate",
                             "What an independent recomputation says of a shape. Made by `certify`.")
         .def_readonly("compression_only", &Certificate::compression_only,
-                      "In equilibrium, and no member in tension")
+                      "In equilibrium, no member in tension, and some in compression")
         .def_readonly("in_equilibrium", &Certificate::in_equilibrium)
         .def_property_readonly("tension_members",
                                [](const Certificate &self) { return read_only(self.tension_members); })
         .def_readonly("worst_tension", &Certificate::worst_tension, "[N]; zero if there is none")
         .def_property_readonly(
             "slack_members", [](const Certificate &self) { return read_only(self.slack_members); },
-            "Members that carry nothing: they can be left out")
+            "Members that carry nothing")
         .def_readonly("max_residual", &Certificate::max_residual, "max |r_i| / mean nodal load")
+        .def_readonly("support_error", &Certificate::support_error,
+                      "[m]: largest distance of a node from where its rigid supports hold it")
         .def_readonly("tolerance", &Certificate::tolerance)
         .def_readonly("balance", &Certificate::balance, "|sum of reactions + sum of loads| / sum of |loads|")
         .def_readonly("moment_balance", &Certificate::moment_balance, "The same of moments, over size")
@@ -219,10 +235,10 @@ that the result was solved to. Raises InvalidInput if the shape does not fit the
     py::class_<Solver>(
         module, "Solver",
         R"(The interactive loop: goes on for a while, can be read at any time, and takes changed scenes as it goes.)")
-        .def(py::init([](const std::shared_ptr<Scene> &scene, double accuracy, double tolerance,
-                         const std::string &method, const py::object &start) {
-                 return std::make_unique<Solver>(
-                     scene, options_from(accuracy, tolerance, method, {}, {}, py::none(), start));
+        .def(py::init([](const std::shared_ptr<Scene> &scene, const py::object &accuracy,
+                         const py::object &tolerance, const std::string &method, const py::object &start) {
+                 return std::make_unique<Solver>(scene, options_from(accuracy, tolerance, method, py::none(),
+                                                                     py::none(), py::none(), start));
              }),
              py::arg("scene"), py::arg("accuracy") = 1e-3, py::arg("tolerance") = 1e-6,
              py::arg("method") = "auto", py::arg("start") = py::none())
@@ -231,8 +247,12 @@ that the result was solved to. Raises InvalidInput if the shape does not fit the
              "ended.")
         .def(
             "replace", [](Solver &self, const std::shared_ptr<Scene> &scene) { self.replace(scene); },
-            py::arg("scene"), "Goes on from the present shape with another scene of as many nodes.")
-        .def("result", [](const Solver &self) { return std::make_shared<Result>(self.result()); })
+            py::arg("scene"), py::call_guard<py::gil_scoped_release>(),
+            "Goes on from the present shape with another scene of as many nodes.")
+        .def(
+            "result", [](const Solver &self) { return std::make_shared<Result>(self.result()); },
+            py::call_guard<py::gil_scoped_release>(),
+            "What is known of the present shape; waits for an advance in another thread to return.")
         .def_property_readonly(
             "nodes",
             [](const Solver &self) {

@@ -29,14 +29,20 @@ Array<std::int64_t> integers_from(const py::handle &value, const std::string &ar
     const auto raw = py::array::ensure(value);
     if (!raw || (raw.dtype().kind() != 'i' && raw.dtype().kind() != 'u' && raw.size() > 0)) {
         PyErr_Clear();
-        throw InvalidInput(argument + " must hold integers (node numbers)");
+        throw InvalidInput(argument +
+                           " must hold integers (node numbers; of a mask, numpy.flatnonzero gives them)");
     }
+    if (raw.dtype().kind() == 'u' && raw.size() > 0 &&
+        raw.attr("max")().cast<std::uint64_t>() > std::numeric_limits<Index>::max())
+        throw InvalidInput(argument + " holds " + py::str(raw.attr("max")()).cast<std::string>() +
+                           ", which is no node number");
     return Array<std::int64_t>(raw);
 }
 
 Index index_from(std::int64_t value, const std::string &where) {
     if (value < 0 || value > std::numeric_limits<Index>::max())
-        throw InvalidInput(where + " is " + std::to_string(value) + ": node numbers count from 0");
+        throw InvalidInput(where + " is " + std::to_string(value) + ": node numbers count from 0 to " +
+                           std::to_string(std::numeric_limits<Index>::max()));
     return static_cast<Index>(value);
 }
 
@@ -99,6 +105,25 @@ Eigen::VectorXd numbers_from(const py::handle &value, const std::string &argumen
     if (array.ndim() > 1)
         throw InvalidInput(argument + " must be one number or a flat array, not of shape " + shape_of(array));
     return Eigen::Map<const Eigen::VectorXd>(array.data(), array.size());
+}
+
+double number_from(const py::handle &value, const std::string &argument) {
+    const double number = PyFloat_AsDouble(value.ptr());
+    if (PyErr_Occurred() != nullptr) {
+        PyErr_Clear();
+        throw InvalidInput(argument + " must be a number, not " + py::repr(value).cast<std::string>());
+    }
+    return number;
+}
+
+long count_from(const py::handle &value, const std::string &argument) {
+    const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+    const long count = index ? PyLong_AsLong(index.ptr()) : -1;
+    if (PyErr_Occurred() != nullptr) {
+        PyErr_Clear();
+        throw InvalidInput(argument + " must be a whole number, not " + py::repr(value).cast<std::string>());
+    }
+    return count;
 }
 
 py::array read_only(const std::vector<Index> &ids) {

@@ -31,6 +31,11 @@ namespace py = pybind11;
 /// One number, or an array of them.
 [[nodiscard]] Eigen::VectorXd numbers_from(const py::handle &value, const std::string &argument);
 
+/// One real number; a text or an array is none.
+[[nodiscard]] double number_from(const py::handle &value, const std::string &argument);
+/// One whole number.
+[[nodiscard]] long count_from(const py::handle &value, const std::string &argument);
+
 /// A read-only view on core data that lives as long as `owner`.
 template <class Scalar>
 py::array read_only(const Scalar *data, std::vector<py::ssize_t> shape, const py::object &owner) {

@@ -30,6 +30,10 @@ AxialForces::AxialForces(const Net &net, const AxialStiffness &description,
                 "] is zero, so EA / r is infinite: give a positive length, or stiffness per spring");
         stiffness_[e] = description.per_spring ? value * scale.length / scale.force
                                                : value / scale.force / rest_lengths_[e];
+        if (!std::isfinite(stiffness_[e]) || stiffness_[e] == 0)
+            throw InvalidInput("AxialStiffness: member " + std::to_string(e) +
+                               " has a stiffness beyond what numbers hold: check its rest length, the "
+                               "stiffness and the loads");
     }
 }
 

@@ -2,7 +2,6 @@
 #include "effects/panel_geometry.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace funicular {
 
@@ -14,9 +13,6 @@ void PanelGeometry::place(const Points &x, std::span<const Index> corners) {
         middle_ += corners_[k];
     }
     middle_ /= static_cast<double>(corners.size());
-    normal_.setZero();
-    for (int k = 0; k < corner_count(); ++k)
-        normal_ += fan_normal(k);
 }
 
 double PanelGeometry::area() const {
@@ -50,9 +46,7 @@ void PanelGeometry::angles(std::vector<double> &angles) const {
     for (int k = 0; k < corner_count(); ++k) {
         const Vector3 a = corners_[after(k)] - corners_[k];
         const Vector3 b = corners_[before(k)] - corners_[k];
-        const Vector3 turn = a.cross(b);
-        const double angle = std::atan2(turn.norm(), a.dot(b));
-        angles[k] = turn.dot(normal_) < 0 ? 2 * std::numbers::pi - angle : angle;
+        angles[k] = std::atan2(a.cross(b).norm(), a.dot(b));
     }
 }
 
@@ -64,7 +58,7 @@ PanelGeometry::AngleGradient PanelGeometry::angle_gradient(int k) const {
     if (doubled == 0)
         return {Vector3::Zero(), Vector3::Zero()};
     // Turning an edge away from the other opens the angle by (way / length of the edge).
-    const Vector3 axis = (turn.dot(normal_) < 0 ? -turn : turn) / doubled;
+    const Vector3 axis = turn / doubled;
     return {.before = axis.cross(b) / b.squaredNorm(), .after = a.cross(axis) / a.squaredNorm()};
 }
 

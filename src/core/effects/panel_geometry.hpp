@@ -28,7 +28,9 @@ public:
     /// Derivative of the area by each corner's position.
     void area_gradient(std::vector<Vector3> &gradient) const;
 
-    /// Interior angle at each corner, in [0, 2π): above π where the panel is not convex.
+    /// Angle between the two edges at each corner, in [0, π]. It is that of the edges also where a panel
+    /// points inwards: in a warped panel inwards and outwards are not told apart without a jump, and a load
+    /// must not jump.
     void angles(std::vector<double> &angles) const;
     /// Derivatives of the angle at corner k by the positions of the corners before and after it; by the
     /// corner itself, minus their sum. Zero where an edge has no length.
@@ -45,7 +47,6 @@ private:
 
     std::vector<Vector3> corners_;
     Vector3 middle_;
-    Vector3 normal_; ///< twice the area vector of the whole panel
 };
 
 } // namespace funicular

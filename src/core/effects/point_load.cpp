@@ -3,6 +3,7 @@
 
 #include "errors.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace funicular {
@@ -15,6 +16,12 @@ PointLoads::PointLoads(const Net &net, const PointLoad &description, const Scale
         if (nodes_[k] < 0 || nodes_[k] >= net.node_count())
             throw InvalidInput("PointLoad: ids[" + std::to_string(k) + "] is " + std::to_string(nodes_[k]) +
                                ", but the net has nodes 0 to " + std::to_string(net.node_count() - 1));
+    auto sorted = nodes_;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end())
+        throw InvalidInput("PointLoad: ids names node " + std::to_string(*twice) +
+                           " twice: give another PointLoad for it");
 }
 
 void PointLoads::add_forces(const Points & /*x*/, Points &forces) const {
