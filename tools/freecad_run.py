@@ -43,7 +43,12 @@ def run_script():
     sys.argv = json.loads(os.environ.pop(COMMAND_LINE))
     code = 0
     try:
-        sys.path.insert(0, os.path.dirname(os.path.abspath(sys.argv[0])))
+        checkout = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+        # As python3 does, the script's own folder first; then this checkout's package, installed or not.
+        sys.path[:0] = [
+            os.path.dirname(os.path.abspath(sys.argv[0])),
+            os.path.join(checkout, "src", "freecad_wb"),
+        ]
         runpy.run_path(sys.argv[0], run_name="__main__")
     except SystemExit as leaving:
         code = leaving.code

@@ -19,10 +19,13 @@ constexpr double least_motion = 1e-16;
 // members.
 constexpr int most_short_steps = 2;
 constexpr double short_step = 0.1;
+// A scene that has not come to rest after so many steps is a stiff one too.
+constexpr int most_direct_steps = 40;
 // In the softest stage no member has a stiffness k r (EA) above this for each newton of load, where strains
 // are moderate.
 constexpr double softest_stiffness_per_load = 10;
 constexpr double first_stage_ratio = 10;
+constexpr double largest_stage_ratio = 1e3;
 constexpr double residual_of_stage = 1e-2;
 // In the scene's own units, in which the net has a size of about one.
 constexpr double most_growth_of_stage = 100;
@@ -78,7 +81,8 @@ Iteration::Move Newton::move(Points &x, Equilibrium &equilibrium) {
         return Move::made;
     }
     short_steps_ = taken < short_step ? short_steps_ + 1 : 0;
-    if (!has_softened_ && (taken == 0 || short_steps_ >= most_short_steps) &&
+    if (!has_softened_ &&
+        (taken == 0 || short_steps_ >= most_short_steps || ++direct_steps_ >= most_direct_steps) &&
         soft_stiffness(equilibrium) < stiffest_member(equilibrium)) {
         soften(x, equilibrium);
         return Move::made;
@@ -143,7 +147,7 @@ void Newton::stiffen(const Points &x, Equilibrium &equilibrium) {
     equilibrium.add_costs_of(*softened_);
     softened_.reset();
     stiffness_limit_ *= stage_ratio_;
-    stage_ratio_ *= stage_ratio_;
+    stage_ratio_ = std::min(stage_ratio_ * stage_ratio_, largest_stage_ratio);
     if (stiffness_limit_ < stiffest_member(equilibrium))
         enter_stage(x, equilibrium);
     else

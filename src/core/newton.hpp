@@ -43,6 +43,7 @@ private:
     double stiffness_limit_ = 0;            ///< of the present stage [N]
     double stage_ratio_ = 1;
     int short_steps_ = 0;
+    int direct_steps_ = 0;
     bool has_softened_ = false;
 };
 

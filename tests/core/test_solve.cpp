@@ -143,6 +143,15 @@ TEST(Solve, UnevenStiffness) {
             std::vector<EffectDescription>{AxialStiffness{stiffness}, CoveringWeight{10}}));
         EXPECT_EQ(result.status, Status::converged) << ratio << ": " << result.message;
     }
+    for (const double ratio : {1e5, 1e7, 1e9}) {
+        Eigen::VectorXd stiffness = Eigen::VectorXd::Constant(net->member_count(), 1e4);
+        stiffness[17] *= ratio;
+        const auto result = solve(std::make_shared<const Scene>(
+            net, std::vector<Support>{{.kind = SupportKind::fixed, .nodes = net->lattice()->corners()}},
+            std::vector<EffectDescription>{AxialStiffness{stiffness}, CoveringWeight{10}}));
+        EXPECT_EQ(result.status, Status::converged) << "one member, " << ratio << ": " << result.message;
+        EXPECT_LT(result.iterations, 100) << ratio;
+    }
 }
 
 TEST(Solve, HexagonsOnAWheelOfSixFindTheirForm) {
