@@ -8,6 +8,7 @@ import pytest
 
 import funicular as fn
 from documents import array, assert_refused, edge_ends, recompute, reopened
+from funicular.export import lattice_of
 from funicular.features import gridshell, net
 from funicular.features.net import edges_of
 from funicular.make import make_gridshell
@@ -184,6 +185,39 @@ def test_a_net_whose_shape_fails_keeps_its_nodes(doc, shell, monkeypatch):
     doc.recompute()
     assert_refused(shell.Net, "BRep_API: command not done")
     np.testing.assert_array_equal(array(shell.Net.SourceNodes), nodes)
+
+
+TILT = App.Rotation(App.Vector(1, 0, 0), 10)
+
+
+def test_a_gridshell_placed_at_a_tilt(doc, shell):
+    shell.Placement.Rotation = TILT
+    doc.recompute()
+    assert_refused(shell, "Placement tilts the gridshell", "turn about z alone", "Placement of Net instead")
+    assert (shell.Status, shell.CompressionOnly) == ("failed", False)
+
+
+@pytest.mark.parametrize("name", ["Gridshell", "Net"])
+def test_a_gridshell_or_net_in_a_container_at_a_tilt(doc, shell, name):
+    outer, inner = (doc.addObject("App::Part", part) for part in ("Outer", "Inner"))
+    outer.addObject(inner)
+    inner.addObject(doc.getObject(name))
+    # FreeCAD takes along what an object is linked with.
+    inner.Group = [doc.getObject(name)]
+    outer.Placement.Rotation = TILT
+    shell.touch()
+    doc.recompute()
+    assert_refused(shell, f"{name} lies inside Inner, which is placed at a tilt", "move it out of Inner")
+
+
+def test_a_container_that_tilted_after_the_solve(doc, shell):
+    part = doc.addObject("App::Part", "Part")
+    part.addObject(shell)
+    assert recompute(doc) == {}
+    part.Placement.Rotation = TILT
+    part.purgeTouched()
+    with pytest.raises(fn.InvalidInput, match="Gridshell lies inside Part, which is placed at a tilt"):
+        lattice_of(shell)
 
 
 def test_a_closed_net_has_no_border_to_stand_on(doc):

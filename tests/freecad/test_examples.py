@@ -65,6 +65,7 @@ def test_the_roof_stands_on_its_corners_and_its_borders_stay_in_their_planes(doc
 
 def test_export_is_the_relaxed_lattice_in_metres(example, tmp_path):
     example.Placement.Base = App.Vector(1000, 0, 0)
+    assert recompute(example.Document) == {}
     path = tmp_path / "shell.obj"
     export_gridshell(example, path)
     nodes, members, panels = read_mesh(path)
@@ -75,12 +76,53 @@ def test_export_is_the_relaxed_lattice_in_metres(example, tmp_path):
 
 def test_nothing_to_export_before_the_first_result(doc, box, tmp_path):
     shell = make_gridshell(doc, source=(box, "Face6"))
-    with pytest.raises(fn.InvalidInput, match="has no nodes|recompute it first"):
-        lattice_of(shell)
-    shell.Net.recompute()
-    with pytest.raises(fn.InvalidInput, match="Gridshell has no result for its net: recompute it first"):
-        export_gridshell(shell, tmp_path / "shell.obj")
+    for _ in range(2):
+        with pytest.raises(
+            fn.InvalidInput, match="Gridshell has no result for its net as it is now: recompute"
+        ):
+            export_gridshell(shell, tmp_path / "shell.obj")
+        shell.Net.recompute()
     assert not (tmp_path / "shell.obj").exists()
+
+
+class TestStaleResults:
+    """Eight by six cells and six by eight have as many nodes, but not the same members."""
+
+    @pytest.fixture
+    def shell(self, doc, box):
+        made = make_gridshell(doc, (box, "Face6"), StepU="1 m", StepV="1 m", AxialStiffness="300 kN")
+        assert recompute(doc) == {} and made.Net.CellsU == 8
+        made.Net.StepU, made.Net.StepV = 8000 / 6, 6000 / 8
+        return made
+
+    def test_a_net_that_changed_alone(self, shell, tmp_path):
+        shell.Net.recompute()
+        assert shell.Net.NodeCount == len(shell.NodePositions) and shell.Net.CellsU == 6
+        with pytest.raises(fn.InvalidInput, match="no result for its net as it is now: recompute it first"):
+            export_gridshell(shell, tmp_path / "shell.obj")
+        shell.Net.purgeTouched()
+        export_gridshell(shell, tmp_path / "shell.obj")
+        nodes, members, _ = read_mesh(tmp_path / "shell.obj")
+        lengths = np.linalg.norm(nodes[members[:, 0]] - nodes[members[:, 1]], axis=1)
+        np.testing.assert_allclose(lengths, [edge.Length / 1000 for edge in shell.Shape.Edges], rtol=1e-9)
+
+    def test_a_gridshell_that_failed(self, doc, shell, tmp_path):
+        shell.CoveringWeight = "3000000 kg/m^2"
+        doc.recompute()
+        assert shell.Net.CellsU == 6 and len(shell.NodePositions) == shell.Net.NodeCount
+        for write in (export_gridshell, save_picture):
+            with pytest.raises(fn.InvalidInput, match="Gridshell has no result: No equilibrium"):
+                write(shell, tmp_path / "shell.png")
+
+    def test_a_net_that_failed(self, doc, shell):
+        shell.Net.StepU = 0
+        doc.recompute()
+        with pytest.raises(fn.InvalidInput, match="Gridshell has no result: Net: StepU is 0 mm"):
+            lattice_of(shell)
+
+    def test_what_waits_for_a_recompute(self, shell):
+        with pytest.raises(fn.InvalidInput, match="as it is now: recompute it first"):
+            lattice_of(shell)
 
 
 def test_the_picture_shows_the_forces(example, tmp_path):

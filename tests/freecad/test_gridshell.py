@@ -7,6 +7,7 @@ import pytest
 
 import funicular as fn
 from documents import array, assert_refused, edge_ends, recompute, reopened
+from funicular.export import lattice_of
 from funicular.features.gridshell import result_line, scene_of, solver_options
 from funicular.features.net import net_of
 from funicular.make import make_gridshell, make_net
@@ -267,6 +268,33 @@ def test_a_net_that_is_moved_takes_the_gridshell_along(doc, shell):
     shell.Net.Placement.Base = V(5000, 0, 1000)
     assert recompute(doc) == {}
     np.testing.assert_allclose(array(shell.NodePositions), before + [5000, 0, 1000], atol=1e-3)
+
+
+def test_a_placement_that_stays_upright_moves_shape_and_export_alike(doc, shell):
+    before = snapshot(shell)
+    part = doc.addObject("App::Part", "Part")
+    part.addObject(shell)
+    part.Placement.Base = V(0, 0, 3000)
+    shell.Placement = App.Placement(V(5000, 0, 1000), App.Rotation(V(0, 0, 1), 30))
+    assert recompute(doc) == {}
+    now = snapshot(shell)
+    # Nodes and reactions stay those of the gridshell before it is placed.
+    np.testing.assert_allclose(now["NodePositions"], before["NodePositions"], atol=1e-6)
+    np.testing.assert_allclose(now["Reactions"], before["Reactions"], atol=1e-6)
+    nodes, members, _ = lattice_of(shell)
+    np.testing.assert_allclose(nodes[members] * 1000 - [0, 0, 3000], now["Edges"], atol=1e-6)
+    place = shell.Placement
+    expected = array([place.multVec(V(*node)) for node in before["NodePositions"]])
+    np.testing.assert_allclose(nodes * 1000 - [0, 0, 3000], expected, atol=1e-6)
+
+
+def test_a_net_at_a_tilt_is_relaxed_under_the_vertical(doc, shell):
+    shell.SupportRecipe = "Boundary"
+    shell.Net.Placement.Rotation = App.Rotation(V(1, 0, 0), 5)
+    assert recompute(doc) == {}
+    assert shell.ReactionSum.Value == pytest.approx(shell.TotalWeight.Value, rel=1e-6)
+    horizontal = array(shell.Reactions).sum(axis=0)[:2]
+    assert np.abs(horizontal).max() < 1e-6 * shell.TotalWeight.Value
 
 
 def test_a_gridshell_on_a_net_of_another_object(doc, box):

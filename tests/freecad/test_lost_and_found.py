@@ -10,8 +10,9 @@ import sys
 import FreeCAD as App
 import pytest
 
+from conftest import LIBRARIES
 from documents import recompute, reopened
-from funicular import observer
+from funicular import make, observer
 from funicular.features.net import Net
 from funicular.make import make_gridshell
 
@@ -47,7 +48,7 @@ def test_lost_proxies_are_found_again(doc, shell, tmp_path):
 
 def test_starting_the_observer_twice_is_starting_it_once(doc, shell, tmp_path, monkeypatch):
     seen = []
-    monkeypatch.setattr(observer.make, "attach", lambda obj: seen.append(obj.Name))
+    monkeypatch.setattr(make, "attach", lambda obj: seen.append(obj.Name))
     observer.start()
     observer.start()
     reopened(doc, tmp_path / "twice.FCStd")
@@ -72,6 +73,23 @@ def test_a_newer_version_is_left_as_it_is(doc, shell, tmp_path):
     again = reopened(doc, tmp_path / "newer.FCStd")
     assert again.Net.SchemaVersion == Net.SCHEMA_VERSION + 1
     assert "PanelCount" not in again.Net.PropertiesList
+
+
+START = """
+import sys, runpy
+sys.path += {libraries!r}
+sys.path.insert(0, {root!r})
+import FreeCAD as App
+runpy.run_path({root!r} + "/Init.py")
+App.newDocument("Empty").addObject("App::DocumentObjectGroup", "Group")
+print("LOADED", [name for name in ("Part", "numpy", "funicular.features.net") if name in sys.modules])
+"""
+
+
+def test_the_start_of_freecad_waits_for_no_other_module():
+    script = START.format(libraries=list(LIBRARIES), root=str(ROOT))
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+    assert "LOADED []" in run.stdout, run.stdout + run.stderr
 
 
 SCRIPT = """

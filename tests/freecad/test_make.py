@@ -130,6 +130,16 @@ def test_a_source_of_another_document_is_refused(doc, box):
     assert other.Objects == []
 
 
+def test_a_net_of_another_document_is_refused(doc, box):
+    net = make_net(doc, (box, ["Face6"]))
+    other = App.newDocument("Other")
+    with pytest.raises(
+        ValueError, match="net Net is in the document Test: copy it into Other.*, with its source"
+    ):
+        make_gridshell(other, net=net)
+    assert other.Objects == []
+
+
 def test_a_shared_net_keeps_its_properties(doc, box):
     net = make_net(doc, (box, ["Face6"]))
     with pytest.raises(

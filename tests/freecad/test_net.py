@@ -66,6 +66,13 @@ def test_a_net_follows_its_properties(doc, net):
     assert (net.CellsU, net.CellsV) == (4, 12)
 
 
+def test_nodes_keep_the_pattern_that_they_were_sampled_in(doc, net):
+    assert net.SampledPattern == "Quad"
+    net.Pattern = ["Quad", "Other"]
+    net.Pattern = "Other"
+    assert net_of(net).lattice.pattern == "quad"
+
+
 def test_a_net_follows_an_expression(doc, box, net):
     net.setExpression("StepU", "Box.Length / 5")
     doc.recompute()
@@ -151,6 +158,46 @@ class TestSources:
         part.Placement.Base = V(0, 0, 20000)
         doc.recompute()
         assert net.Shape.BoundBox.ZMin == 23000
+
+    def test_inside_a_part_that_a_link_shows_again(self, doc, box):
+        part = doc.addObject("App::Part", "Storey")
+        part.addObject(box)
+        part.Placement.Base = V(0, 0, 10000)
+        link = doc.addObject("App::Link", "Link")
+        link.LinkedObject = part
+        doc.recompute()
+        assert len(box.Parents) == 2
+        net = make_net(doc, (box, ["Face6"]))
+        assert recompute(doc) == {}
+        assert net.Shape.BoundBox.ZMin == 13000
+
+    def test_parts_within_parts(self, doc, box):
+        inner, outer = doc.addObject("App::Part", "Inner"), doc.addObject("App::Part", "Outer")
+        inner.addObject(box)
+        outer.addObject(inner)
+        inner.Placement.Base, outer.Placement.Base = V(0, 0, 1000), V(0, 0, 20000)
+        net = make_net(doc, (box, ["Face6"]))
+        assert recompute(doc) == {}
+        assert net.Shape.BoundBox.ZMin == 24000
+
+    def test_a_path_through_a_link(self, doc, box):
+        part = doc.addObject("App::Part", "Storey")
+        part.addObject(box)
+        link = doc.addObject("App::Link", "Link")
+        link.LinkedObject, link.Placement.Base = part, V(0, 20000, 0)
+        doc.recompute()
+        net = make_net(doc, (link, "Box.Face6"))
+        assert net.Source == (link, ["Box.Face6"])
+        assert recompute(doc) == {}
+        assert (net.Shape.BoundBox.YMin, net.Shape.BoundBox.ZMin) == (20000, 3000)
+
+    def test_beside_its_face_in_the_same_part(self, doc, box, net):
+        part = doc.addObject("App::Part", "Storey")
+        part.addObjects([box, net])
+        part.Placement.Base = V(0, 0, 10000)
+        assert recompute(doc) == {}
+        assert net.Source == (box, ["Face6"])
+        assert (net.Shape.BoundBox.ZMin, net.getGlobalPlacement().Base.z) == (3000, 10000)
 
     def test_a_lone_face_inside_a_part(self, doc, dome):
         part = doc.addObject("App::Part", "Storey")
@@ -242,6 +289,22 @@ class TestBadInput:
     def test_a_source_without_shape(self, doc, net):
         net.Source = (doc.addObject("Part::Feature", "Hollow"), ["Face1"])
         self.refused(doc, net, "Source Hollow has no shape: recompute or mend it, or pick another face")
+
+    def test_inside_the_part_that_holds_its_face(self, doc, box, net):
+        part = doc.addObject("App::Part", "Storey")
+        part.addObject(box)
+        net.Source = (part, ["Box.Face6"])
+        part.addObject(net)
+        self.refused(doc, net, "Net lies inside Storey, which holds its own face: move it out of Storey")
+
+    def test_a_face_that_pinches_to_a_point(self, doc, net):
+        source = doc.addObject("Part::Feature", "Horn")
+        source.Shape = Part.makeTorus(2000, 2000).Faces[0]
+        net.Source = (source, ["Face1"])
+        net.StepV = 2000
+        self.refused(
+            doc, net, "Source Horn.Face1 pinches to a point inside, at (0, 0, 0) mm: split the face there"
+        )
 
     def test_a_step_of_zero(self, doc, net):
         net.StepU = 0

@@ -5,7 +5,7 @@ import numpy as np
 
 import funicular as fn
 
-from .features.net import net_of
+from .features.gridshell import refuse_tilt
 from .files import write_mesh
 
 
@@ -13,14 +13,25 @@ def lattice_of(shell):
     """(nodes, members, panels) of a Gridshell as it stands in the document.
 
     nodes: (n, 3) [m]; members: (m, 2) node numbers; panels: node numbers around each.
-    Raises InvalidInput if the gridshell has no result, or none of its present net.
+    Raises InvalidInput if the gridshell has no result, or none of its present input, or stands at a tilt.
     """
-    net = shell.Net and net_of(shell.Net)
-    if not net or len(shell.NodePositions) != len(net.nodes):
-        raise fn.InvalidInput(f"{shell.Label} has no result for its net: recompute it first")
-    place = shell.Placement.Matrix
+    if shell.Status not in ("", "converged"):
+        raise fn.InvalidInput(f"{shell.Label} has no result: {shell.Summary}")
+    if not shell.Status or any("Touched" in obj.State or not obj.isValid() for obj in (shell, shell.Net)):
+        raise fn.InvalidInput(f"{shell.Label} has no result for its net as it is now: recompute it first")
+    refuse_tilt(shell)
+    place = shell.getGlobalPlacement().Matrix
     nodes = np.array([tuple(place.multVec(node)) for node in shell.NodePositions]) * 1e-3
-    return nodes, net.members, net.panels
+    return nodes, np.array(shell.Members).reshape(-1, 2), _panels(shell.Panels)
+
+
+def _panels(numbers):
+    panels, start = [], 0
+    while start < len(numbers):
+        end = start + 1 + numbers[start]
+        panels.append(tuple(numbers[start + 1 : end]))
+        start = end
+    return tuple(panels)
 
 
 def export_gridshell(shell, path):

@@ -27,7 +27,8 @@ FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell)}
 def make_net(doc, source, **properties):
     """Add a Net on a face and return it; doc.recompute() then samples the face.
 
-    source: (object, ["Face1"]), (object, "Face1"), or an object that has a single face. properties: see Net.
+    source: (object, ["Face1"]), (object, "Face1"), or an object that has a single face; the face may be named
+    by its path from a container or a link, (part, "Box.Face6"). properties: see Net.
     Raises ValueError for a source that does not say one object, a name that is no property of a Net, a value
     that the property does not take; then the document is as before.
     """
@@ -45,6 +46,10 @@ def make_gridshell(doc, source=None, net=None, **properties):
         raise ValueError("give either source, a face to make a net on, or net, a Net that is there already")
     if net is not None and getattr(net, MARKER, "") != Net.TYPE:
         raise ValueError(f"net is {getattr(net, 'Label', net)!r}, which is not a Net")
+    if net is not None and net.Document != doc:
+        raise ValueError(
+            f"net {net.Label} is in the document {net.Document.Label}: copy it into {doc.Label}, with its source"
+        )
     names_of_net = {each.name for each in _settable(Net)}
     of_net = {name: value for name, value in properties.items() if name in names_of_net}
     if net is not None and of_net:
@@ -138,16 +143,9 @@ def _from_the_root(obj, sub):
 
     So the face stands where it is seen, and moving a container moves the net.
     """
-    # FreeCAD lists a body's feature twice.
-    parents = {
-        (container.Name, path)
-        for container, path in obj.Parents
-        if container.hasExtension("App::GeoFeatureGroupExtension")
-    }
-    if len(parents) != 1:
-        return obj, [sub]
-    container, path = parents.pop()
-    return obj.Document.getObject(container), [path + sub]
+    while (container := obj.getParentGeoFeatureGroup()) is not None:
+        obj, sub = container, f"{obj.Name}.{sub}"
+    return obj, [sub]
 
 
 def _settable(feature):

@@ -3,7 +3,6 @@
 
 import FreeCAD as App
 
-from . import make
 from .features.feature import MARKER
 
 
@@ -11,8 +10,14 @@ class Observer:
     """Looks at each document as it becomes the active one."""
 
     def slotActivateDocument(self, doc):
-        for obj in doc.Objects:
-            if getattr(obj, MARKER, "") in make.FEATURES:
+        ours = [obj for obj in doc.Objects if getattr(obj, MARKER, "")]
+        if not ours:
+            return
+        # FreeCAD starts faster where nobody has brought in Part and numpy yet.
+        from . import make
+
+        for obj in ours:
+            if getattr(obj, MARKER) in make.FEATURES:
                 make.attach(obj)
 
 

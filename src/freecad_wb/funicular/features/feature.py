@@ -37,7 +37,6 @@ class Property:
             if value in self.choices:
                 setattr(obj, self.name, value)
         if self.kind == "App::PropertyQuantity" and not self.has_unit(obj):
-            # A PropertyQuantity saves its number only.
             setattr(obj, self.name, App.Units.Unit(self.unit))
         if new and self.default is not None:
             setattr(obj, self.name, self.default)
@@ -47,14 +46,17 @@ class Property:
         return getattr(obj, self.name).Unit == App.Units.Unit(self.unit)
 
     def restore_unit(self, obj):
-        """Let the property take values of its own unit again; until then it holds none (nan)."""
+        """Let the property take values of its own unit again; a value of another unit is lost (nan)."""
+        # A PropertyQuantity that comes from a file or a copy has a number and no unit yet.
+        of_another = getattr(obj, self.name).Unit != App.Units.Unit()
         if self.kind == "App::PropertyLength":
             # Unlike other quantities a length cannot be given a unit.
             obj.removeProperty(self.name)
             self._add(obj)
         else:
             setattr(obj, self.name, App.Units.Unit(self.unit))
-        setattr(obj, self.name, math.nan)
+        if of_another:
+            setattr(obj, self.name, math.nan)
 
     def _add(self, obj):
         obj.addProperty(self.kind, self.name, self.group, self.tooltip)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The Gridshell in the document: a Net, its loads and supports; its shape is the relaxed lattice."""
 
+import FreeCAD as App
 import numpy as np
 
 import funicular as fn
@@ -18,6 +19,9 @@ METHODS = ("Auto", "Newton", "Relaxation")
 METRES = 1e-3
 NEWTONS = 1e-3
 
+# How far a placement may turn the vertical, in radians: more than rounding, less than can be set.
+UPRIGHT = 1e-9
+
 
 def _result(kind, name, tooltip):
     return Property(kind, name, "Results", tooltip, mode=("ReadOnly",))
@@ -26,7 +30,8 @@ def _result(kind, name, tooltip):
 class Gridshell(Feature):
     """Proxy of a Gridshell: solves the scene that its properties describe and writes what was found.
 
-    Positions are in mm and in the numbering of the net, forces in N and of the built structure.
+    Positions are in mm and in the numbering of the net, forces in N and of the built structure; both are
+    given as they are before the gridshell's own Placement.
     """
 
     TYPE = "Gridshell"
@@ -117,9 +122,29 @@ class Gridshell(Feature):
         ),
         _result("App::PropertyString", "Summary", "The result in a sentence"),
         _result("App::PropertyString", "MethodUsed", "The method that found the result"),
-        _result("App::PropertyVectorList", "NodePositions", "Relaxed position of each node [mm]"),
+        _result(
+            "App::PropertyVectorList", "NodePositions", "Relaxed position of each node [mm], before Placement"
+        ),
+        Property(
+            "App::PropertyIntegerList",
+            "Members",
+            "Results",
+            "The nodes of each member: two numbers a member, counted from 0",
+            mode=("ReadOnly", "Hidden"),
+        ),
+        Property(
+            "App::PropertyIntegerList",
+            "Panels",
+            "Results",
+            "The nodes around each panel: of each panel how many, then their numbers",
+            mode=("ReadOnly", "Hidden"),
+        ),
         _result("App::PropertyFloatList", "MemberForces", "Force in each member [N], compression negative"),
-        _result("App::PropertyVectorList", "Reactions", "Reaction at each node [N], zero where unsupported"),
+        _result(
+            "App::PropertyVectorList",
+            "Reactions",
+            "Reaction at each node [N], before Placement; zero where unsupported",
+        ),
         _result("App::PropertyFloat", "Residual", "Largest unbalanced force at a node, in mean nodal loads"),
         _result("App::PropertyLength", "PositionError", "How far the nodes still are from equilibrium"),
         _result(
@@ -168,6 +193,8 @@ def scene_of(obj):
         )
     if getattr(obj.Net, "FunicularType", "") != "Net":
         raise fn.InvalidInput(f"Net is {obj.Net.Label}, which is not a Net: set it to a Net of this document")
+    refuse_tilt(obj)
+    _refuse_tilted_container(obj.Net)
     member_weight = amount(obj, "MemberWeight", "kg/m")
     covering_weight = amount(obj, "CoveringWeight", "kg/m^2")
     snow = amount(obj, "Snow", "N/m^2")
@@ -188,6 +215,30 @@ def scene_of(obj):
         effects.append(fn.Snow(snow))
     net = net_of(obj.Net)
     return fn.Scene(net, supports=_supports(obj, net), effects=effects)
+
+
+def refuse_tilt(obj):
+    """Raises InvalidInput if a Gridshell is placed so that it does not stand as it was found."""
+    if _tilts(obj.Placement):
+        raise fn.InvalidInput(
+            "Placement tilts the gridshell, which is in equilibrium only as it was found, upright: "
+            f"let it turn about z alone; to relax a tilted net, set Placement of {obj.Net.Label} instead"
+        )
+    _refuse_tilted_container(obj)
+
+
+def _refuse_tilted_container(obj):
+    container = obj.getParentGeoFeatureGroup()
+    if container is not None and _tilts(container.getGlobalPlacement()):
+        raise fn.InvalidInput(
+            f"{obj.Label} lies inside {container.Label}, which is placed at a tilt, but a shell is found for "
+            f"the vertical: move it out of {container.Label}, or let that turn about z alone"
+        )
+
+
+def _tilts(placement):
+    up = App.Vector(0, 0, 1)
+    return (placement.Rotation.multVec(up) - up).Length > UPRIGHT
 
 
 def solver_options(obj):
@@ -252,6 +303,8 @@ def _write(obj, scene, result, certificate):
     # The shape first: it is what may fail, and then no number has changed.
     obj.Shape = edges_of(nodes, net.members)
     obj.NodePositions = to_vectors(nodes)
+    obj.Members = net.members.ravel().tolist()
+    obj.Panels = [number for panel in net.panels for number in (len(panel), *map(int, panel))]
     obj.MemberForces = result.member_forces.tolist()
     obj.Reactions = to_vectors(result.reactions)
     obj.Residual = result.residual

@@ -59,6 +59,7 @@ class Net(Feature):
                     "SourceNodes",
                     "Nodes on the face, in the numbering of the lattice",
                 ),
+                ("App::PropertyString", "SampledPattern", "The pattern that the nodes were laid in"),
                 ("App::PropertyBool", "ClosedU", "The last cell along u joins the first"),
                 ("App::PropertyBool", "ClosedV", "The last cell along v joins the first"),
                 ("App::PropertyStringList", "Poles", "Sides of the face that are one point"),
@@ -86,12 +87,14 @@ class Net(Feature):
             poles=sorted(chart.poles),
         )
         nodes = surface.sample(chart, lattice.uv)
+        _refuse_pinches(nodes, lattice.members, chart.size, name)
         net = lattice.net(nodes * 1e-3)
 
         # The shape first: it is what may fail, and then no number has changed.
         obj.Shape = edges_of(nodes, net.members)
         obj.SourceNodes = to_vectors(nodes)
         obj.SourceBody = body
+        obj.SampledPattern = obj.Pattern
         obj.ClosedU, obj.ClosedV, obj.Poles = chart.closed_u, chart.closed_v, sorted(chart.poles)
         obj.CellsU, obj.CellsV = cells_u, cells_v
         obj.NodeCount, obj.MemberCount, obj.PanelCount = len(nodes), len(net.members), len(net.panels)
@@ -107,7 +110,8 @@ def net_of(obj):
     lattice = fn.lattice(
         obj.CellsU,
         obj.CellsV,
-        pattern=obj.Pattern.lower(),
+        # Files of before hold no other pattern than the first.
+        pattern=(obj.SampledPattern or PATTERNS[0]).lower(),
         closed_u=obj.ClosedU,
         closed_v=obj.ClosedV,
         poles=obj.Poles,
@@ -127,6 +131,10 @@ def read_source(obj):
             'such as (object, ["Face1"])'
         )
     source, subs = obj.Source
+    if source in obj.InListRecursive:
+        raise fn.InvalidInput(
+            f"{obj.Label} lies inside {source.Label}, which holds its own face: move it out of {source.Label}"
+        )
     subs = [sub for sub in subs if sub] or [""]
     if len(subs) > 1:
         raise fn.InvalidInput(
@@ -163,6 +171,18 @@ def read_source(obj):
             f"changed (then: {obj.SourceBody}; now: {described}): pick the face again"
         )
     return face, name, described
+
+
+def _refuse_pinches(nodes, members, size, name):
+    """Raises InvalidInput where nodes coincide though the lattice tells them apart. nodes, size: [mm]."""
+    lengths = np.linalg.norm(nodes[members[:, 0]] - nodes[members[:, 1]], axis=1)
+    shortest = int(np.argmin(lengths))
+    if lengths[shortest] <= surface.COINCIDENT * size:
+        x, y, z = (nodes[members[shortest, 0]] + 0.0).round(3)
+        raise fn.InvalidInput(
+            f"{name} pinches to a point inside, at ({x:g}, {y:g}, {z:g}) mm: split the face there and make a "
+            "net on each part"
+        )
 
 
 def _faces_keep_their_names():
