@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scene, solve, certificate and solver from Python: the names, units, statuses and threads that scripts rely on."""
+"""Scene, solve, certificate and solver from Python: names, units, statuses and threads that scripts rely on."""
 
 import gc
 import threading
@@ -176,6 +176,20 @@ NET = ([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1], [1, 2]])
         (lambda net: fn.Scene(net, [fn.Fixed(0)], [fn.AxialStiffness(1)], [1.0, -1.0]), ["rest_lengths[1]"]),
         (lambda net: fn.CoveringWeight(1, share="fair"), ["share 'fair'", "angle", "equal", "voronoi"]),
         (lambda net: fn.PointLoad([0], (0, 0)), ["force", "three"]),
+        (lambda net: fn.MemberWeight("12 kg/m"), ["weight", "number", "12 kg/m"]),
+        (lambda net: fn.Snow(None), ["pressure", "number"]),
+        (lambda net: fn.CoveringWeight([1, 2]), ["weight", "number"]),
+        (lambda net: fn.Fixed([0], stiffness="soft"), ["stiffness", "number"]),
+        (lambda net: fn.Fixed(np.array([True, False, True])), ["ids", "numpy.flatnonzero"]),
+        (lambda net: fn.Fixed(np.array([2**63 + 5], dtype=np.uint64)), ["ids", "9223372036854775813"]),
+        (
+            lambda net: fn.Scene(net, [fn.Fixed(0)], [fn.AxialStiffness(1), fn.PointLoad([9], (0, 0, 0))]),
+            ["ids[0] is 9"],
+        ),
+        (
+            lambda net: fn.Scene(net, [fn.Fixed(0)], [fn.AxialStiffness(1)], [1.0, 1e-310]),
+            ["member 1", "rest length"],
+        ),
     ],
 )
 def test_errors_name_the_part_and_the_index(make, words):
@@ -197,6 +211,11 @@ def test_errors_name_the_part_and_the_index(make, words):
         ({"start": np.zeros((3, 3))}, "start has 3 nodes"),
         ({"start": np.full((63, 3), np.nan)}, "start[0]"),
         ({"on_progress": 3}, "on_progress"),
+        ({"accuracy": None}, "accuracy must be a number"),
+        ({"accuracy": float("inf")}, "accuracy"),
+        ({"tolerance": "fine"}, "tolerance must be a number"),
+        ({"max_iterations": 1.5}, "max_iterations must be a whole number"),
+        ({"max_iterations": 2**70}, "max_iterations"),
     ],
 )
 def test_solve_refuses_what_cannot_be_meant(options, word):
@@ -226,6 +245,11 @@ def test_progress_is_told_and_cancels():
     assert cancelled.status == "cancelled" and cancelled.iterations == 3
     assert np.isfinite(cancelled.nodes).all()
     assert long_solve(on_progress=lambda report: report.seconds < 0.1).status == "cancelled"
+
+
+@pytest.mark.parametrize("answer, goes_on", [(0, False), ("", False), ([], False), (1, True), (None, True)])
+def test_the_answer_to_progress_is_true_or_false_as_python_has_it(answer, goes_on):
+    assert (fn.solve(roof(), on_progress=lambda report: answer).status == "converged") == goes_on
 
 
 def test_an_exception_in_progress_comes_out_as_itself():
@@ -316,6 +340,35 @@ def test_solver_goes_on_and_takes_changed_scenes():
         solver.replace(roof(step=0.5))
 
 
+def test_a_solver_serves_several_threads():
+    solver, scenes = fn.Solver(roof()), [roof(effects=[fn.MemberWeight(12.0 + k)]) for k in range(30)]
+    stop = threading.Event()
+    torn = []
+
+    def advance():
+        while not stop.is_set():
+            solver.advance(0.0)
+
+    def read():
+        while not stop.is_set():
+            result = solver.result()
+            spans = result.nodes[scenes[0].net.members[:, 1]] - result.nodes[scenes[0].net.members[:, 0]]
+            if not np.allclose(result.member_lengths, np.linalg.norm(spans, axis=1)):
+                torn.append(result)
+
+    threads = [threading.Thread(target=work) for work in (advance, advance, read)]
+    for thread in threads:
+        thread.start()
+    for scene in scenes:
+        solver.replace(scene)
+        assert np.isfinite(solver.nodes).all()
+        time.sleep(0.002)
+    stop.set()
+    for thread in threads:
+        thread.join()
+    assert not torn
+
+
 def test_length_matching_keeps_the_best():
     scene = roof()
     once = scene.match_lengths(fn.solve(scene))
@@ -326,6 +379,14 @@ def test_length_matching_keeps_the_best():
     assert matching.deviations[matching.best_round] == min(matching.deviations) < matching.deviations[0]
     assert matching.scene.length_deviation(matching.result) == pytest.approx(min(matching.deviations))
     assert fn.certify(matching.scene, matching.result).compression_only
+    assert matching.status == "converged"
+    begun = []
+    cut = fn.solve_matching_lengths(
+        scene, rounds=6, on_progress=lambda report: begun.append(report.iteration) or begun.count(0) < 3
+    )
+    assert cut.status == "cancelled" and cut.result.status == "converged"
+    with pytest.raises(fn.InvalidInput, match="rounds must be a whole number"):
+        fn.solve_matching_lengths(scene, rounds=2.5)
 
 
 def test_far_from_the_origin_the_shape_and_its_certificate_stay():

@@ -3,8 +3,8 @@
 
 SI units (m, kg, N); up is +z; member forces are those of the built structure, compression negative.
 
-The native module is loaded at the first use of a name, not at import: FreeCAD restores a document's objects by
-importing this package, and must be able to do so, and keep their geometry, where the native module is missing.
+The native module is loaded at the first use of a name, not at import: FreeCAD restores a document's objects
+by importing this package, and must be able to do so, and keep their geometry, where that module is missing.
 """
 
 _NUMERIC_API = (
