@@ -2,7 +2,12 @@
 """Colours by force and the legend's marks: numbers only, so no FreeCAD."""
 
 import pytest
-from funicular.colours import COMPRESSION_RAMP, TENSION_RAMP, ForceScale, ramp_colour
+from funicular.colours import ON_PAPER, ON_SCREEN, ForceScale, ramp_colour
+
+COMPRESSION_RAMP, TENSION_RAMP = ON_PAPER.compression, ON_PAPER.tension
+
+# FreeCAD's default gradient from top to bottom, and white.
+BACKGROUNDS = {"dark blue": (0.2, 0.2, 0.4), "white": (1.0, 1.0, 1.0)}
 
 
 def as_seen_without(cone, colour):
@@ -36,16 +41,28 @@ def test_ramp_passes_through_its_colours_and_stays_within_its_ends():
     assert ramp_colour(TENSION_RAMP, -7.0) == TENSION_RAMP[0]
 
 
-def test_each_ramp_darkens_steadily():
-    for ramp in (COMPRESSION_RAMP, TENSION_RAMP):
+@pytest.mark.parametrize("ramps", [ON_PAPER, ON_SCREEN])
+def test_each_ramp_darkens_steadily(ramps):
+    for ramp in (ramps.compression, ramps.tension):
         light = [luminance(ramp_colour(ramp, i / 50)) for i in range(51)]
         assert all(after < before for before, after in zip(light, light[1:]))
 
 
+@pytest.mark.parametrize("background", BACKGROUNDS)
+def test_every_colour_on_the_screen_stands_out_from_what_is_behind_it(background):
+    behind = luminance(BACKGROUNDS[background])
+    for ramp in (ON_SCREEN.compression, ON_SCREEN.tension):
+        for i in range(21):
+            light = luminance(ramp_colour(ramp, i / 20))
+            # The contrast of WCAG 2, in which 1 is no contrast.
+            assert (max(light, behind) + 0.05) / (min(light, behind) + 0.05) > 1.9
+
+
+@pytest.mark.parametrize("ramps", [ON_PAPER, ON_SCREEN])
 @pytest.mark.parametrize("cone", ["red", "green"])
-def test_tension_is_told_from_compression_without_one_kind_of_cone(cone):
-    compression = [as_seen_without(cone, ramp_colour(COMPRESSION_RAMP, i / 20)) for i in range(21)]
-    tension = [as_seen_without(cone, ramp_colour(TENSION_RAMP, i / 20)) for i in range(21)]
+def test_tension_is_told_from_compression_without_one_kind_of_cone(cone, ramps):
+    compression = [as_seen_without(cone, ramp_colour(ramps.compression, i / 20)) for i in range(21)]
+    tension = [as_seen_without(cone, ramp_colour(ramps.tension, i / 20)) for i in range(21)]
     # Compression is bluer than it is yellow, tension the other way round, at every force.
     assert all(blue > yellow for yellow, _, blue in compression)
     assert all(blue < yellow / 2 for yellow, _, blue in tension)
@@ -86,6 +103,20 @@ def test_marks_name_the_extremes_and_zero_from_top_to_bottom():
     assert marks[0] == (1.0, 100.0) and (0.75, 0.0) in marks and marks[-1] == (0.0, -800.0)
     positions = [position for position, _ in marks]
     assert positions == sorted(positions, reverse=True)
+
+
+def test_marks_between_the_extremes_are_round_and_keep_clear_of_them():
+    marks = ForceScale([-1140.0]).marks()
+    assert [force for _, force in marks] == [0.0, -250.0, -500.0, -750.0, -1000.0, -1140.0]
+    assert [position for position, _ in marks] == pytest.approx([1 + force / 1140 for _, force in marks])
+    assert [force for _, force in ForceScale([-1050.0]).marks()] == [0.0, -250.0, -500.0, -750.0, -1050.0]
+
+
+def test_scale_says_whether_it_is_one_across_zero():
+    assert ForceScale([-800.0]).one_scale and ForceScale([-600.0, 400.0], [1]).one_scale
+    assert ForceScale([400.0], [0]).one_scale
+    assert not ForceScale([-800.0, 1.0], [1]).one_scale
+    assert not ForceScale([-1.0, 800.0], [1]).one_scale
 
 
 def test_bar_shows_the_colour_of_the_force_it_is_marked_with():

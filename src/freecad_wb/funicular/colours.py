@@ -6,10 +6,30 @@ common colour vision deficiency, and the lightness of each ramp falls with the f
 still reads.
 """
 
-# From nothing to the largest force. The ends of the two ramps are far apart even at zero: a member in tension
-# must catch the eye however small its force is, because a compression-only shell has none.
-COMPRESSION_RAMP = ((0.80, 0.91, 0.97), (0.34, 0.66, 0.86), (0.05, 0.36, 0.73), (0.02, 0.12, 0.42))
-TENSION_RAMP = ((1.00, 0.73, 0.25), (0.94, 0.45, 0.00), (0.72, 0.20, 0.00))
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Ramps:
+    """Colours from nothing to the largest force, evenly spaced, each (r, g, b) in [0, 1]."""
+
+    compression: tuple
+    tension: tuple
+
+
+# The ends of the two ramps are far apart even at zero: a member in tension must catch the eye however small
+# its force is, because a compression-only shell has none.
+ON_PAPER = Ramps(
+    compression=((0.80, 0.91, 0.97), (0.34, 0.66, 0.86), (0.05, 0.36, 0.73), (0.02, 0.12, 0.42)),
+    tension=((1.00, 0.73, 0.25), (0.94, 0.45, 0.00), (0.72, 0.20, 0.00)),
+)
+# A 3D view is white for one user and, as FreeCAD comes, dark blue for the next: these are neither light nor
+# dark at their ends, and their hue does more.
+ON_SCREEN = Ramps(
+    compression=((0.33, 0.78, 0.84), (0.10, 0.60, 0.95), (0.12, 0.42, 1.00), (0.42, 0.20, 0.98)),
+    tension=((0.98, 0.62, 0.05), (0.94, 0.40, 0.00), (0.84, 0.18, 0.00)),
+)
 
 KILONEWTON = 1000.0
 
@@ -33,9 +53,12 @@ class ForceScale:
     tension_members : sequence of int
         Members that the certificate counts as being in tension. It alone draws the line between tension and
         the rounding of a solver, so the picture never contradicts it.
+    ramps : Ramps
+        The colours: those for paper or those for the screen.
     """
 
-    def __init__(self, forces, tension_members=()):
+    def __init__(self, forces, tension_members=(), ramps=ON_PAPER):
+        self._ramps = ramps
         self._forces = [float(force) for force in forces]
         self._in_tension = frozenset(tension_members)
         self.largest_compression = -min(self._forces, default=0.0)
@@ -50,8 +73,8 @@ class ForceScale:
 
     def _colour(self, index, force):
         if index in self._in_tension:
-            return ramp_colour(TENSION_RAMP, _share(force, self.largest_tension))
-        return ramp_colour(COMPRESSION_RAMP, _share(-force, self.largest_compression))
+            return ramp_colour(self._ramps.tension, _share(force, self.largest_tension))
+        return ramp_colour(self._ramps.compression, _share(-force, self.largest_compression))
 
     @property
     def unit(self):
@@ -76,39 +99,57 @@ class ForceScale:
         -------
         list of (position, force)
             `position` in [0, 1] counts from the bottom of the bar, `force` is in N. Zero is always marked,
-            and with it the largest compression and, if there is any, the largest tension.
+            and with it the largest compression and, if there is any, the largest tension; between them stand
+            round numbers.
         """
         zero = self.zero_position
-        marks = []
-        if self.largest_tension > 0.0:
-            marks.append((1.0, self.largest_tension))
-        steps = max(1, round((count - 1) * zero)) if self.largest_compression > 0.0 else 0
-        marks.append((zero, 0.0))
-        for step in range(1, steps + 1):
-            share = step / steps
-            marks.append((zero * (1.0 - share), -share * self.largest_compression))
-        return marks
+        marks = [(zero, 0.0)]
+        for largest, end, sign in ((self.largest_tension, 1.0, 1.0), (self.largest_compression, 0.0, -1.0)):
+            for force in _round_marks(largest, (count - 1) * abs(end - zero)):
+                marks.append((zero + (end - zero) * force / largest, sign * force))
+        return sorted(marks, reverse=True)
+
+    @property
+    def one_scale(self):
+        """Whether the bar is to scale across zero."""
+        return self.largest_compression <= 0.0 or self.zero_position == self._share_of_compression
 
     @property
     def zero_position(self):
         """Where zero lies on the bar, in [0, 1] from its bottom.
 
-        A small tension keeps a visible stretch of the bar, so the bar is not to scale across zero.
+        Where one side is much the smaller it keeps a visible stretch of the bar, on a scale of its own: then
+        `one_scale` is false.
         """
         if self.largest_tension <= 0.0:
             return 1.0
         if self.largest_compression <= 0.0:
             return 0.0
-        share = self.largest_compression / (self.largest_compression + self.largest_tension)
-        return min(max(share, 0.25), 0.75)
+        return min(max(self._share_of_compression, 0.25), 0.75)
+
+    @property
+    def _share_of_compression(self):
+        span = self.largest_compression + self.largest_tension
+        return self.largest_compression / span if self.largest_tension > 0.0 else 1.0
 
     def bar_colour(self, position):
         """Colour of the bar at `position` in [0, 1] from its bottom."""
         zero = self.zero_position
         if position > zero:
-            return ramp_colour(TENSION_RAMP, (position - zero) / (1.0 - zero))
-        return ramp_colour(COMPRESSION_RAMP, 1.0 - position / zero if zero > 0.0 else 0.0)
+            return ramp_colour(self._ramps.tension, (position - zero) / (1.0 - zero))
+        return ramp_colour(self._ramps.compression, 1.0 - position / zero if zero > 0.0 else 0.0)
 
 
 def _share(force, largest):
     return force / largest if largest > 0.0 else 0.0
+
+
+def _round_marks(largest, count):
+    """Multiples of a round step, about `count` of them, and `largest`, from which they keep clear."""
+    if largest <= 0.0:
+        return []
+    least = 0.8 * largest / max(1.0, count)
+    decade = 10.0 ** math.floor(math.log10(least))
+    step = next(factor * decade for factor in (1.0, 2.0, 2.5, 5.0, 10.0) if factor * decade >= least)
+    last = math.floor(largest / step - 0.5)
+    return [step * index for index in range(1, last + 1)] + [largest]

@@ -8,6 +8,7 @@ from funicular.features import progress
 from funicular.gui.inputs import SECTIONS
 from window import (
     QtCore,
+    QtWidgets,
     clear_report_view,
     double_click_in_tree,
     edit_again,
@@ -298,6 +299,64 @@ def test_an_expression_is_shown_and_left_alone(opened, roof):
     press("Ok")
     assert opened.Net.ExpressionEngine == [("StepU", "Roof.Cell")]
     assert opened.Net.StepU.Value == pytest.approx(750.0)
+
+
+EXPRESSIONS = {
+    "MemberWeight": "10 kg/m + 5 kg/m",
+    "Snow": "0.5 kPa",
+    "AxialStiffness": "40 kN * 2",
+    "LengthMatching": "0 + 0",
+    "Method": "1",
+    "AllowTension": "1 > 2 ? 1 : 0",
+}
+
+
+@pytest.mark.parametrize("name", EXPRESSIONS)
+def test_what_an_expression_drives_is_read_only_and_says_so(opened, name):
+    press("Ok")
+    opened.setExpression(name, EXPRESSIONS[name])
+    opened.Document.recompute()
+    value = getattr(opened, name)
+    expression = dict(opened.ExpressionEngine)[name]
+    edit_again(opened)
+    box = panel_box(name)
+    assert expression in box.toolTip()
+    line = box if isinstance(box, QtWidgets.QLineEdit) else box.findChild(QtWidgets.QLineEdit)
+    assert line.isReadOnly() if line is not None else not box.isEnabled()
+    assert not panel_box("CoveringWeight").isReadOnly() and panel_box("SupportRecipe").isEnabled()
+    press("Ok")
+    assert getattr(opened, name) == value and dict(opened.ExpressionEngine)[name] == expression
+
+
+def test_units_of_the_field(opened):
+    assert panel_box("CoveringWeight").text() == "30 kg/m²"
+    assert panel_box("Snow").text() == "0 kN/m²"
+    before = result_line()
+    type_into(panel_box("Snow"), "0.75")
+    wait_for_result(before)
+    assert opened.Snow.getValueAs("Pa") == pytest.approx(750.0)
+    type_into(panel_box("Snow"), "600 N/m²")
+    assert opened.Snow.getValueAs("Pa") == pytest.approx(600.0)
+    type_into(panel_box("CoveringWeight"), "45 kg/m²")
+    assert opened.CoveringWeight.getValueAs("kg/m^2") == pytest.approx(45.0)
+
+
+def test_labels_stand_beside_their_inputs_and_none_is_cut_off(opened):
+    rows = [panel_box(name) for _, rows in SECTIONS for _, name, _ in rows]
+    form = next(parent for parent in parents(rows[0]) if parent.layout())
+    labels = [label for label in form.findChildren(QtWidgets.QLabel) if label.buddy() in rows]
+    assert len(labels) == len(rows)
+    for label in labels:
+        top = label.buddy().y() - label.height()
+        assert label.buddy().x() >= label.x() + label.width() and label.y() > top
+        assert label.width() >= label.sizeHint().width(), f"{label.text()} is cut off"
+    assert len({box.x() for box in rows}) == 1, "one column"
+
+
+def parents(widget):
+    while widget.parentWidget():
+        widget = widget.parentWidget()
+        yield widget
 
 
 def test_a_net_can_carry_a_second_gridshell(opened):

@@ -46,9 +46,10 @@ def test_each_member_has_the_colour_of_its_force(shell):
     colours = shell.ViewObject.LineColorArray
     assert len(colours) == len(shell.MemberForces) == shell.Net.MemberCount
     by_force = sorted(range(len(colours)), key=lambda member: shell.MemberForces[member])
-    light = [sum(colours[member][:3]) for member in by_force]
-    assert light == sorted(light), "more compression is darker"
-    assert light[0] < light[-1] - 0.5
+    light = [0.3 * r + 0.59 * g + 0.11 * b for r, g, b in (colours[member][:3] for member in by_force)]
+    # FreeCAD keeps each channel in eight bits.
+    assert all(after > before - 0.004 for before, after in zip(light, light[1:])), "more force is darker"
+    assert light[0] < light[-1] - 0.2
 
 
 def test_colours_follow_a_new_number_of_members(shell):
@@ -127,15 +128,60 @@ def test_a_face_within_a_part_stays_the_parts_and_comes_back_with_the_net(roof):
     assert roof.Document.getObject("Net") is None and roof.Visibility
 
 
-def test_each_of_two_gridshells_has_its_legend_beside_the_other(shell):
+def papers_of_legends(path):
+    """(first, last) column of each legend's paper, on a picture of the view with a black background."""
+    view().saveImage(str(path), 500, 400, "Black")
+    picture = QtGui.QImage(str(path))
+    # Below the words, just above the lower edge.
+    row = picture.height() - round(0.015 * picture.height()) - 7
+    light = [QtGui.qGray(picture.pixel(x, row)) > 200 for x in range(picture.width())]
+    edges = [x for x in range(1, len(light)) if light[x] != light[x - 1]]
+    return list(zip(edges[0::2], edges[1::2]))
+
+
+def test_the_others_legend_moves_up(shell, tmp_path):
+    second = make_gridshell(shell.Document, net=shell.Net, CoveringWeight="90 kg/m^2")
+    shell.Document.recompute()
+
+    assert len(papers_of_legends(tmp_path / "both.png")) == 2
+    shell.ViewObject.ShowLegend = False
+    assert legends(second.Document) == [f"Funicular_legend_{second.Name}"]
+    ((first, _),) = papers_of_legends(tmp_path / "one.png")
+    assert first < 20
+
+
+def test_a_second_view_shows_the_legend_too(shell):
+    Gui.runCommand("Std_ViewCreate")
+    settle()
+    assert legends(shell.Document) == ["Funicular_legend_Gridshell"] * 2
+    shell.ViewObject.ShowLegend = False
+    assert legends(shell.Document) == []
+
+
+def test_deleting_one_of_two_gridshells_leaves_the_net_hidden(shell):
+    document, net = shell.Document, shell.Net
+    second = make_gridshell(document, net=net, CoveringWeight="90 kg/m^2")
+    document.recompute()
+    for name, shown in ((second.Name, False), (shell.Name, True)):
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(document.getObject(name))
+        Gui.runCommand("Std_Delete")
+        settle()
+        assert document.getObject(name) is None
+        assert net.Visibility == shown
+
+
+def test_each_of_two_gridshells_has_its_legend_beside_the_other(shell, pictures):
     second = make_gridshell(shell.Document, net=shell.Net, CoveringWeight="90 kg/m^2")
     shell.Document.recompute()
     assert sorted(legends(shell.Document)) == ["Funicular_legend_Gridshell", "Funicular_legend_Gridshell001"]
-    places = [
-        node.getChild(0).getChild(2).translation.getValue()[0]
-        for node in legend._legends(view().getSceneGraph())
-    ]
-    assert places[1] > places[0]
+    view().viewIsometric()
+    # Legends are as wide as they are, in however narrow a view.
+    (first, after) = papers_of_legends(pictures / "two_legends.png")
+    assert first[1] < after[0]
+    ratio = Gui.getMainWindow().devicePixelRatioF()
+    for left, right in (first, after):
+        assert right - left == pytest.approx(legend.WIDTH * ratio, abs=3)
     second.Document.removeObject(second.Name)
     assert legends(shell.Document) == ["Funicular_legend_Gridshell"]
 

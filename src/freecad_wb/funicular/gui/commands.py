@@ -6,14 +6,13 @@ import math
 import FreeCADGui
 
 from funicular.gui.icons import icon
+from funicular.gui.picking import WrongSelection, clicked_object, selected_sources, the_source
 from funicular.gui.qt import QT_TRANSLATE_NOOP, translate
 
-# Cells along the diagonal of the picked face: enough to see the form, few enough to see every member.
+# Cells along the diagonal of the picked face: enough to see the form, few enough to see every member. A
+# narrow face gets no fewer than a few across.
 CELLS_ACROSS = 24
-
-
-class WrongSelection(Exception):
-    """What is selected does not say what to build on; the text says what to select instead."""
+FEWEST_CELLS = 4
 
 
 class GridshellCommand:
@@ -43,7 +42,7 @@ class GridshellCommand:
         return bool(faces or nets)
 
     def Activated(self):
-        from funicular.gui.task_panel import show_message
+        from funicular.gui.task_panel import active_transaction, show_message
 
         try:
             source, net = the_source()
@@ -52,6 +51,7 @@ class GridshellCommand:
             return
         document = (net or source[0]).Document
         document.openTransaction(translate("Gridshell"))
+        transaction = active_transaction()
         try:
             shell = _make(document, source, net)
         except Exception as error:
@@ -60,55 +60,10 @@ class GridshellCommand:
             show_message(str(error))
             return
         FreeCADGui.Selection.clearSelection()
-        FreeCADGui.getDocument(document.Name).setEdit(shell.Name)
+        shell.ViewObject.Proxy.edit(shell.ViewObject, transaction)
         if source is not None and not shell.Shape.isNull():
             # As FreeCAD's Part features do with what they are made of. A face that failed stays in sight.
-            source[0].Visibility = False
-
-
-def selected_sources():
-    """What is selected that a gridshell can be built on.
-
-    Returns
-    -------
-    (faces, nets)
-        `faces`: list of (object, sub-element name); an object picked as a whole counts with each of its
-        faces. `nets`: list of Net objects.
-    """
-    faces, nets = [], []
-    for selected in FreeCADGui.Selection.getSelectionEx():
-        obj = selected.Object
-        if getattr(obj, "FunicularType", "") == "Net":
-            nets.append(obj)
-        elif selected.SubElementNames:
-            faces += [(obj, name) for name in selected.SubElementNames if name.startswith("Face")]
-        elif hasattr(obj, "Shape") and not hasattr(obj, "FunicularType"):
-            faces += [(obj, f"Face{index + 1}") for index in range(obj.Shape.countElement("Face"))]
-    return faces, nets
-
-
-def the_source():
-    """The one thing that is selected: ((object, [face name]), None) or (None, net).
-
-    Raises WrongSelection when nothing fits, or more than one thing does.
-    """
-    faces, nets = selected_sources()
-    if not faces and not nets:
-        raise WrongSelection(
-            translate(
-                "Nothing to build on is selected. Select one face in the 3D view, then run Gridshell again."
-            )
-        )
-    if len(faces) + len(nets) > 1:
-        raise WrongSelection(
-            translate(
-                "{} faces or nets are selected, and a gridshell stands on one. "
-                "Select a single face in the 3D view, then run Gridshell again."
-            ).format(len(faces) + len(nets))
-        )
-    if nets:
-        return None, nets[0]
-    return (faces[0][0], [faces[0][1]]), None
+            clicked_object(source).Visibility = False
 
 
 def _make(document, source, net):
@@ -121,19 +76,32 @@ def _make(document, source, net):
         shell = make_gridshell(document, net=net)
         net.Visibility = False
     else:
-        step = f"{starting_step(source[0].getSubObject(source[1][0]))} mm"
-        shell = make_gridshell(document, source=source, StepU=step, StepV=step)
+        root, (path,) = source
+        step_u, step_v = (f"{step} mm" for step in starting_steps(root.getSubObject(path)))
+        shell = make_gridshell(document, source=source, StepU=step_u, StepV=step_v)
     return shell
 
 
-def starting_step(face):
-    """A round step in mm that gives a face of this size a few dozen cells across, to begin with."""
-    diagonal = face.BoundBox.DiagonalLength
-    if not 0.0 < diagonal < math.inf:
-        return 1000.0
-    wanted = diagonal / CELLS_ACROSS
-    decade = 10.0 ** math.floor(math.log10(wanted))
-    return max(factor * decade for factor in (1.0, 2.0, 2.5, 5.0) if factor * decade <= wanted * 1.0001)
+def starting_steps(face):
+    """Round steps in mm, along u and v, that give a face of this size a few dozen cells to begin with."""
+    import funicular as fn
+    from funicular import surface
+
+    try:
+        chart = surface.read_face(face)
+    except fn.InvalidInput:
+        # No net can be made on it, and the net says why.
+        return 1000.0, 1000.0
+    wanted = chart.size / CELLS_ACROSS
+    return tuple(
+        _round_down(min(wanted, lengths.mean() / FEWEST_CELLS))
+        for lengths in (chart.lengths_u, chart.lengths_v)
+    )
+
+
+def _round_down(length):
+    decade = 10.0 ** math.floor(math.log10(length))
+    return max(factor * decade for factor in (1.0, 2.0, 2.5, 5.0) if factor * decade <= length * 1.0001)
 
 
 COMMANDS = {GridshellCommand.NAME: GridshellCommand()}

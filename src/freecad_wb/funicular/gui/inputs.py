@@ -47,8 +47,13 @@ SECTIONS = (
 )
 
 # FreeCAD's unit schemas know no kg/m and kg/m²: its own box shows 30 kg/m² as "0.00 kg/mm^2" and rounds it to
-# that.
-MASS_UNITS = {"MemberWeight": "kg/m", "CoveringWeight": "kg/m^2"}
+# that. Snow it would show as "0.00 Pa", and no one counts snow in pascals.
+UNITS = {"MemberWeight": "kg/m", "CoveringWeight": "kg/m²", "Snow": "kN/m²"}
+
+
+def expression_of(obj, name):
+    """The expression that property `name` of `obj` follows, "" without one."""
+    return next((text for path, text in obj.ExpressionEngine if path.lstrip(".") == name), "")
 
 
 def make_input(obj, name, on_change, on_error):
@@ -68,18 +73,29 @@ def make_input(obj, name, on_change, on_error):
         widget = _check(obj, name, on_change)
     elif kind.startswith("App::PropertyInteger"):
         widget = _count(obj, name, on_change)
-    elif name in MASS_UNITS:
-        widget = MassField(getattr(obj, name), MASS_UNITS[name], on_change, on_error)
+    elif name in UNITS:
+        widget = QuantityField(getattr(obj, name), UNITS[name], on_change, on_error)
     else:
-        widget = _quantity(obj, name, on_change)
+        widget = _quantity(obj, name, on_change, on_error)
     widget.setObjectName(name)
     if kind != "App::PropertyBool":
-        # Room for "1000.00 mm" and its f(x); a panel that its user made narrower wraps the rows.
-        widget.setMinimumWidth(116)
+        # Room for "1000.00 mm" and its f(x), beside the label in a panel of the width that FreeCAD gives it.
+        widget.setMinimumWidth(104)
     documentation = translate(obj.getDocumentationOfProperty(name), "App::Property")
+    expression = expression_of(obj, name)
+    if expression:
+        documentation += "\n" + translate("Follows the expression {}").format(expression)
+        _make_read_only(widget)
     widget.setToolTip(documentation)
     widget.setStatusTip(documentation)
     return widget
+
+
+def _make_read_only(widget):
+    if hasattr(widget, "setReadOnly"):
+        widget.setReadOnly(True)
+    else:
+        widget.setEnabled(False)
 
 
 def _choice(obj, name, on_change):
@@ -109,7 +125,7 @@ def _count(obj, name, on_change):
     return widget
 
 
-def _quantity(obj, name, on_change):
+def _quantity(obj, name, on_change, on_error):
     """FreeCAD's own box: any unit, the user's unit schema, and the f(x) button for expressions."""
     widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
     quantity = getattr(obj, name)
@@ -120,8 +136,20 @@ def _quantity(obj, name, on_change):
     def changed(value):
         on_change(FreeCAD.Units.Quantity(value, quantity.Unit))
 
+    def edited(text):
+        # The box tells of good values only, and not of one that it has already.
+        if widget.property("acceptableInput"):
+            changed(widget.property("rawValue"))
+        else:
+            on_error(_unreadable(text, quantity.getUserPreferred()[2]))
+
     QtCore.QObject.connect(widget, QtCore.SIGNAL("valueChanged(double)"), changed)
+    widget.findChild(QtWidgets.QLineEdit).textEdited.connect(edited)
     return widget
+
+
+def _unreadable(text, unit):
+    return translate("“{}” is not a value in {}. Write for example “12 {}”.").format(text, unit, unit)
 
 
 class CheckBox(QtWidgets.QCheckBox):
@@ -134,25 +162,25 @@ class CheckBox(QtWidgets.QCheckBox):
         return super().event(event)
 
 
-class MassField(QtWidgets.QLineEdit):
-    """A mass per length or per area, written in `unit`; other units of the same kind are understood too."""
+class QuantityField(QtWidgets.QLineEdit):
+    """A quantity written in `unit`; other units of the same kind are understood too."""
 
     def __init__(self, quantity, unit, on_change, on_error):
         super().__init__()
         self._unit = unit
-        self._dimension = FreeCAD.Units.Unit(unit)
+        self._dimension = FreeCAD.Units.Unit(_as_parsed(unit))
         self._on_change, self._on_error = on_change, on_error
         self.setText(self._written(quantity))
         self.textEdited.connect(self._read)
         self.editingFinished.connect(self._complete)
 
     def _written(self, quantity):
-        return f"{float(quantity.getValueAs(self._unit)):.6g} {self._unit}"
+        return f"{float(quantity.getValueAs(_as_parsed(self._unit))):.6g} {self._unit}"
 
     def _quantity(self):
         """What is written, or None if it is no quantity of this kind. A bare number has the unit shown."""
-        text = self.text().strip()
-        for candidate in (text, f"({text}) {self._unit}"):
+        text = _as_parsed(self.text().strip())
+        for candidate in (text, f"({text}) {_as_parsed(self._unit)}"):
             try:
                 quantity = FreeCAD.Units.Quantity(candidate)
             except (ValueError, ArithmeticError, FreeCAD.Base.FreeCADError):
@@ -164,8 +192,7 @@ class MassField(QtWidgets.QLineEdit):
     def _read(self):
         quantity = self._quantity()
         if quantity is None:
-            sentence = translate("“{}” is not a value in {}. Write for example “12 {}”.")
-            self._on_error(sentence.format(self.text(), self._unit, self._unit))
+            self._on_error(_unreadable(self.text(), self._unit))
         else:
             self._on_change(quantity)
 
@@ -173,3 +200,8 @@ class MassField(QtWidgets.QLineEdit):
         quantity = self._quantity()
         if quantity is not None:
             self.setText(self._written(quantity))
+
+
+def _as_parsed(text):
+    """FreeCAD's parser takes "m²" for "m"."""
+    return text.replace("²", "^2")

@@ -8,49 +8,69 @@ nothing has to be kept in step with views that come and go.
 import FreeCADGui
 from pivy import coin
 
-from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
+from funicular.colours import ON_SCREEN, ForceScale
+from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
 
 NODE_PREFIX = "Funicular_legend_"
+WATCHED = "funicular_legends"
 
-WIDTH, HEIGHT = 164, 262
-BAR = QtCore.QRect(14, 46, 22, 178)
+WIDTH, HEIGHT, GAP = 164, 262, 8
+BAR = QtCore.QRect(14, 60, 22, 168)
 PAPER, INK = QtGui.QColor(255, 255, 255, 225), QtGui.QColor(25, 30, 40)
 
 COMPRESSION = QT_TRANSLATE_NOOP("Funicular", "compression −")
 TENSION = QT_TRANSLATE_NOOP("Funicular", "tension +")
+TENSION_ENLARGED = QT_TRANSLATE_NOOP("Funicular", "tension + (own scale)")
+COMPRESSION_ENLARGED = QT_TRANSLATE_NOOP("Funicular", "compression − (own scale)")
 MEMBER_FORCE = QT_TRANSLATE_NOOP("Funicular", "Member force")
 
 
-def show(obj, scale):
-    """Show or refresh the legend of `obj` in each 3D view of its document.
+def scale_of(obj):
+    """The colours of a gridshell's members in the 3D view, and the forces that they stand for."""
+    return ForceScale(obj.MemberForces, obj.TensionMembers, ON_SCREEN)
 
-    Parameters
-    ----------
-    obj : document object
-        Its label heads the legend.
-    scale : colours.ForceScale
-        The colours and the forces to write.
-    """
-    picture = _picture(obj.Label, scale, FreeCADGui.getMainWindow().devicePixelRatioF())
+
+def show(obj):
+    """Show or refresh the legend of `obj`, a gridshell, in each 3D view of its document."""
+    _watch_views()
     for graph in _scene_graphs(obj.Document):
         legend = _find(graph, obj)
         if legend is None:
             legend = _new_legend(obj)
             graph.addChild(legend)
-        # By position, not by name: coin's names are global, and each view has an image of its own.
-        image = legend.getChild(0).getChild(3)
-        size = coin.SbVec2s(picture.width(), picture.height())
-        image.image.setValue(size, 4, _bottom_up_rgba(picture))
-        _line_up(graph)
+        _draw(legend, obj, _legends(graph).index(legend))
 
 
 def hide(obj):
     """Remove the legend of `obj` from each 3D view of its document; nothing happens where there is none."""
     for graph in _scene_graphs(obj.Document):
         legend = _find(graph, obj)
-        if legend is not None:
-            graph.removeChild(legend)
-            _line_up(graph)
+        if legend is None:
+            continue
+        graph.removeChild(legend)
+        # The others move up.
+        for place, other in enumerate(_legends(graph)):
+            _draw(other, obj.Document.getObject(other.getName().getString()[len(NODE_PREFIX) :]), place)
+
+
+def _watch_views():
+    """FreeCAD tells no one of a new 3D view; its window area does once the view is entered."""
+    area = FreeCADGui.getMainWindow().findChild(QtWidgets.QMdiArea)
+    if not area.property(WATCHED):
+        area.setProperty(WATCHED, True)
+        area.subWindowActivated.connect(_complete)
+
+
+def _complete(_window):
+    """Give a new view the legends that another view of its document shows."""
+    active = FreeCADGui.activeDocument()
+    if active is None:
+        return
+    shown = [_legends(graph) for graph in _scene_graphs(active.Document)]
+    names = {legend.getName().getString() for legends in shown for legend in legends}
+    if any(len(legends) < len(names) for legends in shown):
+        for name in sorted(names):
+            show(active.Document.getObject(name[len(NODE_PREFIX) :]))
 
 
 def _scene_graphs(document):
@@ -93,20 +113,25 @@ def _new_legend(obj):
     return legend
 
 
-def _line_up(graph):
-    """Several gridshells: their legends stand side by side."""
-    for index, legend in enumerate(_legends(graph)):
-        corner = legend.getChild(0).getChild(2)
-        corner.translation = (-0.98 + 0.3 * index, -0.97, 0.999)
+def _draw(legend, obj, place):
+    picture = _picture(obj.Label, scale_of(obj), place, FreeCADGui.getMainWindow().devicePixelRatioF())
+    # By position, not by name: coin's names are global, and each view has an image of its own.
+    image = legend.getChild(0).getChild(3)
+    size = coin.SbVec2s(picture.width(), picture.height())
+    image.image.setValue(size, 4, _bottom_up_rgba(picture))
 
 
-def _picture(title, scale, pixel_ratio):
+def _picture(title, scale, place, pixel_ratio):
+    # Several legends stand side by side. What keeps them apart is in the picture, for it is in pixels: the
+    # scene graph knows only shares of a window whose size changes.
+    before = place * (WIDTH + GAP)
     picture = QtGui.QImage(
-        round(WIDTH * pixel_ratio), round(HEIGHT * pixel_ratio), QtGui.QImage.Format_RGBA8888
+        round((before + WIDTH) * pixel_ratio), round(HEIGHT * pixel_ratio), QtGui.QImage.Format_RGBA8888
     )
     picture.fill(QtCore.Qt.transparent)
     painter = QtGui.QPainter(picture)
     painter.scale(pixel_ratio, pixel_ratio)
+    painter.translate(before, 0)
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
     painter.setPen(QtGui.QPen(QtGui.QColor(25, 30, 40, 90), 1.0))
     painter.setBrush(PAPER)
@@ -133,13 +158,16 @@ def _draw_words(painter, title, scale):
     painter.setFont(_font(11))
     quantity = f"{translate(MEMBER_FORCE)} [{scale.unit}]"
     painter.drawText(QtCore.QRect(12, 22, room, 16), QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, quantity)
-    foot = translate(COMPRESSION)
+    above, below = "", ""
     if scale.largest_tension > 0.0:
-        foot += "   " + translate(TENSION)
+        small = not scale.one_scale and scale.largest_tension < scale.largest_compression
+        above = translate(TENSION_ENLARGED if small else TENSION)
+    if scale.largest_compression > 0.0:
+        small = not scale.one_scale and scale.largest_compression < scale.largest_tension
+        below = translate(COMPRESSION_ENLARGED if small else COMPRESSION)
     painter.setFont(_font(10))
-    painter.drawText(
-        QtCore.QRect(12, HEIGHT - 24, room, 16), QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, foot
-    )
+    for top, words in ((BAR.top() - 21, above), (BAR.bottom() + 8, below)):
+        painter.drawText(QtCore.QRect(12, top, room, 16), QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, words)
 
 
 def _draw_bar(painter, scale):

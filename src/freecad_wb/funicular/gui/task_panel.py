@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of a gridshell: its inputs, and the result as it follows each of them.
 
-The panel only edits properties, inside one open transaction: OK commits it, Cancel aborts it.
+The panel only edits properties, inside one transaction of its own: OK commits it, Cancel aborts it, and when
+another command ends it, that ends the panel.
 """
 
 import FreeCAD
 import FreeCADGui
 
 from funicular.gui.icons import icon
-from funicular.gui.inputs import SECTIONS, make_input
+from funicular.gui.inputs import SECTIONS, expression_of, make_input
+from funicular.gui.picking import WrongSelection, clicked_object, the_face
 from funicular.gui.qt import QtCore, QtGui, QtWidgets, translate
 
 # After the last keystroke: long enough not to solve for each digit of a number, short enough to feel
@@ -55,6 +57,17 @@ class ResultLine(QtWidgets.QLabel):
         self.setText(f"{symbol} {sentence}")
 
 
+class Heading(QtWidgets.QLabel):
+    """Title of a group of inputs."""
+
+    def __init__(self, text):
+        super().__init__(text)
+        font = self.font()
+        font.setBold(True)
+        self.setFont(font)
+        self.setContentsMargins(0, 2, 0, 0)
+
+
 class MessagePanel:
     """A sentence and a Close button, where there is nothing to edit."""
 
@@ -73,26 +86,40 @@ class MessagePanel:
         return True
 
 
+def active_transaction():
+    """Id of the transaction that is open in FreeCAD, None without one."""
+    active = FreeCAD.getActiveTransaction()
+    return active[1] if active else None
+
+
 class GridshellPanel:
     """Edits a gridshell and its net.
 
     Parameters
     ----------
     shell : document object
-        The gridshell. A transaction is open on its document, or is opened here.
+        The gridshell.
+    transaction : int, optional
+        Id of a transaction that the panel is to finish; without it the panel opens its own.
     """
 
-    def __init__(self, shell):
+    def __init__(self, shell, transaction=None):
         self._shell = shell
         self._document = shell.Document
-        self._unreadable = ""
-        if not self._document.HasPendingTransaction:
+        # Sentences on inputs that cannot be read, by property.
+        self._unreadable = {}
+        self._edited = False
+        if transaction is None:
             self._document.openTransaction(translate("Edit gridshell"))
+            transaction = active_transaction()
+        self._transaction = transaction
         self._pause = QtCore.QTimer()
         self._pause.setSingleShot(True)
         self._pause.setInterval(PAUSE_MS)
         self._pause.timeout.connect(self.recompute)
         self.form = self._build()
+        self._in_dialog = True
+        self.form.destroyed.connect(self._form_destroyed)
         FreeCAD.addDocumentObserver(self)
 
     # What FreeCAD calls
@@ -102,11 +129,11 @@ class GridshellPanel:
 
     def accept(self):
         if self._unreadable:
-            self.line.say(WRONG, self._unreadable)
+            self._say_what_is_unreadable()
             return False
         document = self._leave()
         document.recompute()
-        document.commitTransaction()
+        FreeCAD.closeActiveTransaction(False, self._transaction)
         FreeCADGui.getDocument(document.Name).resetEdit()
         return True
 
@@ -121,9 +148,16 @@ class GridshellPanel:
         if self._shell is None:
             return
         document = self._leave()
-        document.abortTransaction()
-        # Aborting restores the values and leaves what they belong to marked as out of date.
-        document.recompute()
+        FreeCAD.closeActiveTransaction(True, self._transaction)
+        if self._edited:
+            # Aborting restores the values and leaves what they belong to marked as out of date.
+            document.recompute()
+
+    def dismiss(self):
+        """Cancel unless finished, and close the dialog if it is still there."""
+        self.cancel()
+        if self._in_dialog:
+            FreeCADGui.Control.closeDialog()
 
     def slotDeletedDocument(self, document):
         if document == self._document:
@@ -134,6 +168,34 @@ class GridshellPanel:
         if obj == self._shell:
             self._leave()
             FreeCADGui.Control.closeDialog()
+
+    def slotCloseTransaction(self, abort):
+        if self._shell is not None and active_transaction() != self._transaction:
+            self._end(
+                translate("Another command ended the panel of {}. What was entered in it was taken back.")
+                if abort
+                else translate(
+                    "Another command ended the panel of {}. What was entered in it is an undo step."
+                )
+            )
+
+    def slotUndoDocument(self, document):
+        if document == self._document:
+            self._end(translate("Undo and redo end the panel of {}: its inputs no longer hold."))
+
+    slotRedoDocument = slotUndoDocument
+
+    def _end(self, sentence):
+        """Close the panel from outside, nothing being left for it to commit or to abort."""
+        report(sentence.format(self._shell.Label))
+        document = self._leave()
+        FreeCADGui.getDocument(document.Name).resetEdit()
+
+    def _form_destroyed(self):
+        # By another tool's Control.closeDialog(); after OK and Cancel the panel is finished by now.
+        self._in_dialog = False
+        if self._shell is not None:
+            self.reject()
 
     # The form
 
@@ -146,46 +208,81 @@ class GridshellPanel:
         self.line = ResultLine()
         column.addWidget(self.line)
         owners = {"Gridshell": self._shell, "Net": self._shell.Net}
+        # One layout for all: the inputs stand in one column, and a heading costs a line and no frame.
+        inputs = QtWidgets.QFormLayout()
+        inputs.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
+        inputs.setVerticalSpacing(1)
+        column.addLayout(inputs)
         for heading, rows in SECTIONS:
-            box = QtWidgets.QGroupBox(translate(heading))
-            layout = QtWidgets.QFormLayout(box)
-            layout.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
-            layout.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+            rows = [row for row in rows if owners[row[0]] is not None]
+            if rows:
+                inputs.addRow(Heading(translate(heading)))
+            if rows and rows[0][0] == "Net":
+                inputs.addRow(translate("Source"), self._source_button())
             for owner, name, label in rows:
-                if owners[owner] is None:
-                    continue
-                widget = make_input(owners[owner], name, self._setter(owners[owner], name), self._unread)
-                if isinstance(widget, QtWidgets.QCheckBox):
-                    widget.setText(translate(label))
-                    layout.addRow(widget)
-                else:
-                    layout.addRow(translate(label), widget)
-                    layout.labelForField(widget).setToolTip(widget.toolTip())
-            if layout.rowCount():
-                column.addWidget(box)
+                obj = owners[owner]
+                widget = make_input(obj, name, self._setter(obj, name), self._unread(name))
+                inputs.addRow(translate(label), widget)
+                inputs.labelForField(widget).setToolTip(widget.toolTip())
         return form
+
+    def _source_button(self):
+        button = QtWidgets.QPushButton(translate("Use selected face"))
+        button.setObjectName("Source")
+        button.setToolTip(translate("Lay the net on the face that is selected in the 3D view"))
+        button.clicked.connect(self._use_selected_face)
+        return button
 
     # What the user does
 
     def _setter(self, obj, name):
         def set_property(value):
-            self._unreadable = ""
+            self._unreadable.pop(name, None)
             if self._shell is None:
                 return
             try:
                 # A property that follows an expression is the expression's to set.
-                if not any(path.lstrip(".") == name for path, _ in obj.ExpressionEngine):
+                if not expression_of(obj, name) and getattr(obj, name) != value:
+                    self._edited = True
                     setattr(obj, name, value)
-            except (ReferenceError, TypeError, ValueError) as error:
-                self._unread(f"{name}: {error}")
+            except ReferenceError:
+                # The object is gone, and what depended on it says so when it is solved.
+                pass
+            except (TypeError, ValueError) as error:
+                self._unreadable[name] = f"{name}: {error}"
             self._pause.start()
 
         return set_property
 
-    def _unread(self, sentence):
-        # Half-typed values are unreadable too: the sentence waits for the pause, as the solver does.
-        self._unreadable = sentence
-        self._pause.start()
+    def _unread(self, name):
+        def keep(sentence):
+            # Half-typed values are unreadable too: the sentence waits for the pause, as the solver does.
+            self._unreadable[name] = sentence
+            self._pause.start()
+
+        return keep
+
+    def _say_what_is_unreadable(self):
+        self.line.say(WRONG, next(iter(self._unreadable.values())))
+
+    def _use_selected_face(self):
+        if self._shell is None:
+            return
+        net = self._shell.Net
+        try:
+            source = the_face()
+        except WrongSelection as error:
+            self.line.say(WRONG, str(error))
+            return
+        before = clicked_object(net.Source)
+        if before:
+            before.Visibility = True
+        self._edited = True
+        net.Source = source
+        FreeCADGui.Selection.clearSelection()
+        self.recompute()
+        if "Invalid" not in net.State:
+            clicked_object(source).Visibility = False
 
     # What follows
 
@@ -194,7 +291,7 @@ class GridshellPanel:
         if self._shell is None:
             return
         if self._unreadable:
-            self.line.say(WRONG, self._unreadable)
+            self._say_what_is_unreadable()
             return
         self.line.say(BUSY, translate("Solving"))
         self.line.repaint()
@@ -224,15 +321,15 @@ class GridshellPanel:
         return document
 
 
-def edit(shell):
-    """Show the panel of a gridshell and bring its result up to date.
+def edit(shell, transaction=None):
+    """Show the panel of a gridshell and bring its result up to date; for the arguments see GridshellPanel.
 
     Returns the panel, or None if another dialog is in the way.
     """
     if FreeCADGui.Control.activeDialog():
         report(translate("Another dialog is open in the task panel. Close it, then edit the gridshell."))
         return None
-    panel = GridshellPanel(shell)
+    panel = GridshellPanel(shell, transaction)
     FreeCADGui.Control.showDialog(panel)
     panel.recompute()
     return panel

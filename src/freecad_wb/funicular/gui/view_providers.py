@@ -4,10 +4,10 @@
 import FreeCAD
 import FreeCADGui
 
-from funicular.colours import ForceScale
 from funicular.gui import legend, solving
 from funicular.gui.icons import icon
-from funicular.gui.qt import QT_TRANSLATE_NOOP, translate
+from funicular.gui.picking import clicked_object
+from funicular.gui.qt import QT_TRANSLATE_NOOP
 
 # The results that colours and legend are made of; the shape resets FreeCAD's own line colours.
 COLOURING_RESULTS = ("Shape", "MemberForces", "TensionMembers")
@@ -62,11 +62,8 @@ class ViewProviderNet(ViewProvider):
         return [source] if source and source == self.vobj.Object.Source[0] else []
 
     def _source(self):
-        """The object whose face the net lies on, also where it is named from the part that contains it."""
-        if not self.vobj.Object.Source:
-            return None
-        named, elements = self.vobj.Object.Source
-        return named.getSubObjectList(elements[0])[-1] if elements else named
+        """The object that shows the face that the net lies on."""
+        return clicked_object(self.vobj.Object.Source)
 
     def doubleClicked(self, vobj):
         """The steps of a net are edited in the panel of the gridshell that it carries."""
@@ -74,9 +71,7 @@ class ViewProviderNet(ViewProvider):
         return shells[0].ViewObject.Proxy.doubleClicked(shells[0].ViewObject) if shells else False
 
     def onDelete(self, vobj, subelements):
-        source = self._source()
-        if source:
-            source.Visibility = True
+        _show_unless_shared(self._source(), vobj.Object)
         return True
 
 
@@ -84,6 +79,10 @@ class ViewProviderGridshell(ViewProvider):
     """A relaxed gridshell: members coloured by force, with a legend; a double click opens its panel."""
 
     icon_name = "Funicular_Gridshell"
+
+    # While the panel is open, and on the way to it.
+    _panel = None
+    _transaction = None
 
     def __init__(self, vobj):
         super().__init__(vobj)
@@ -118,48 +117,62 @@ class ViewProviderGridshell(ViewProvider):
             return
         if not all(name in obj.PropertiesList for name in COLOURING_RESULTS):
             return
-        scale = ForceScale(obj.MemberForces, obj.TensionMembers)
+        scale = legend.scale_of(obj)
         coloured = vobj.ColourByForce and len(obj.MemberForces) > 0
         # FreeCAD keeps the old array when the number of members changes, so it is set after each recompute.
         vobj.LineColorArray = scale.member_colours() if coloured else [tuple(vobj.LineColor[:3])]
         if coloured and vobj.ShowLegend and vobj.Visibility:
-            legend.show(obj, scale)
+            legend.show(obj)
         else:
             legend.hide(obj)
 
     def onDelete(self, vobj, subelements):
         legend.hide(vobj.Object)
-        for child in self.claimChildren():
-            child.Visibility = True
+        _show_unless_shared(vobj.Object.Net, vobj.Object)
         return True
 
     def doubleClicked(self, vobj):
-        document = vobj.Object.Document
-        if FreeCADGui.Control.activeDialog():
-            # Opening a transaction would commit the one of the panel that is open.
-            return True
-        document.openTransaction(translate("Edit gridshell"))
-        FreeCADGui.getDocument(document.Name).setEdit(vobj.Object.Name)
+        # A panel that is open keeps the window; FreeCAD would end its edit mode for ours.
+        if not FreeCADGui.Control.activeDialog():
+            self.edit(vobj)
         return True
+
+    def edit(self, vobj, transaction=None):
+        """Open the panel.
+
+        transaction: id of the one that the caller has just opened for what the panel is to finish; without it
+        the panel opens its own.
+        """
+        self._transaction = transaction
+        FreeCADGui.getDocument(vobj.Object.Document.Name).setEdit(vobj.Object.Name)
 
     def setEdit(self, vobj, mode=0):
         if mode != 0:
             return None
         from funicular.gui import task_panel
 
-        self._panel = task_panel.edit(vobj.Object)
+        transaction, self._transaction = self._transaction, None
+        self._panel = task_panel.edit(vobj.Object, transaction)
         return self._panel is not None
 
     def unsetEdit(self, vobj, mode=0):
         if mode != 0:
             return None
+        panel, self._panel = self._panel, None
         # OK and Cancel have finished the panel by now; Esc in the 3D view has not.
-        self._panel.cancel()
-        FreeCADGui.Control.closeDialog()
+        panel.dismiss()
         return True
 
 
 VIEW_PROVIDERS = {"Net": ViewProviderNet, "Gridshell": ViewProviderGridshell}
+
+
+def _show_unless_shared(child, obj):
+    """Show what stood aside for `obj`, which goes, unless it stands aside for another of the kind too."""
+    if child and not any(
+        user != obj and getattr(user, "FunicularType", "") == obj.FunicularType for user in child.InList
+    ):
+        child.Visibility = True
 
 
 def attach_view_provider(obj):
