@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scene, solve, certificate and solver from Python: names, units, statuses and threads that scripts rely on."""
+"""Scene, solve, certificate and solver from Python: names, units, statuses, threads that scripts rely on."""
 
 import gc
 import threading
