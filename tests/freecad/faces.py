@@ -62,6 +62,31 @@ def triangular_patch():
     return surface.toShape()
 
 
+def spline(poles, degree):
+    """A B-spline of these rows of poles, with even knots."""
+
+    def knots(count):
+        inner = count - degree - 1
+        return [degree + 1] + [1] * inner + [degree + 1], list(range(inner + 2))
+
+    surface = Part.BSplineSurface()
+    (mults_u, knots_u), (mults_v, knots_v) = knots(len(poles)), knots(len(poles[0]))
+    surface.buildFromPolesMultsKnots(poles, mults_u, mults_v, knots_u, knots_v, False, False, degree, degree)
+    return surface.toShape()
+
+
+def folded_plate():
+    return spline([[V(1000 * i, 1000 * j, 700 * (i % 2)) for j in range(3)] for i in range(8)], 1)
+
+
+def egg_crate():
+    return spline([[V(200 * i, 200 * j, 300 * (-1) ** (i + j)) for j in range(60)] for i in range(60)], 3)
+
+
+def wave():
+    return spline([[V(100 * i, 1000 * j, 200 * (-1) ** i) for j in range(4)] for i in range(120)], 3)
+
+
 OPEN = (False, False, [])
 UP = V(0, 0, 1)
 
@@ -92,6 +117,9 @@ FACES = {
     "B-spline": (lambda: bspline_roof().toShape(), *OPEN),
     "twisted B-spline": (lambda: twisted_patch().toShape(), *OPEN),
     "triangular B-spline": (triangular_patch, False, False, ["u_min"]),
+    "folded plate": (folded_plate, *OPEN),
+    "egg crate": (egg_crate, *OPEN),
+    "wave": (wave, *OPEN),
     "extrusion": (lambda: arc(0, 2.5).extrude(V(0, 5000, 300)), *OPEN),
     "extrusion of a range below zero": (lambda: arc(-2.5, -0.5).extrude(V(0, -5000, 300)), *OPEN),
     "offset": (lambda: Part.OffsetSurface(bspline_roof(), 200).toShape(), *OPEN),

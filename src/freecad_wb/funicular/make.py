@@ -48,7 +48,8 @@ def make_gridshell(doc, source=None, net=None, **properties):
         raise ValueError(f"net is {getattr(net, 'Label', net)!r}, which is not a Net")
     if net is not None and net.Document != doc:
         raise ValueError(
-            f"net {net.Label} is in the document {net.Document.Label}: copy it into {doc.Label}, with its source"
+            f"net {net.Label} is in the document {net.Document.Label}: "
+            f"copy it into {doc.Label}, with its source"
         )
     names_of_net = {each.name for each in _settable(Net)}
     of_net = {name: value for name, value in properties.items() if name in names_of_net}

@@ -11,9 +11,18 @@ import Part
 
 import funicular as fn
 
-# Intervals of the table of arc lengths, per direction (even, for the extrapolation of chords to arcs).
-# 192 keeps the fourth-order error of the table below 1e-6 of a cell on surfaces of ordinary curvature.
-TABLE_INTERVALS = 192
+from .arc_lengths import Axis, Table
+
+# How far a share of arc length may be from the one that is asked for: sought, and at most.
+SHARE_ERROR = 1e-6
+LARGEST_SHARE_ERROR = 1e-4
+
+# Points of a table: what bounds its time (1 µs a point) and its memory.
+MOST_POINTS = 400_000
+MOST_KNOTS = 240
+
+# Nodes whose shares are measured again, along the isolines themselves.
+PROBES = 24
 
 # What counts as one point, relative to the size of the face: OCCT's own confusion is 1e-7 mm on metres.
 COINCIDENT = 1e-7
@@ -37,8 +46,8 @@ class Chart:
     size: diagonal of the bounding box of the sampled face [mm].
     closed_u, closed_v: the side u = 1 (v = 1) coincides with u = 0 (v = 0).
     poles: the sides that are one single point, a subset of SIDES.
-    lengths_u, lengths_v: (TABLE_INTERVALS + 1,) lengths of the isolines that run along u (along v) [mm].
-    along_u, along_v: square tables, indexed [a, b]: the part of the isoline's length before (a, b).
+    table: of arc lengths along the isolines.
+    measure: (a, b) -> (share along u, share along v) by FreeCAD's own integration, slow; None on a plane.
     """
 
     point: object
@@ -46,10 +55,8 @@ class Chart:
     closed_u: bool
     closed_v: bool
     poles: frozenset
-    lengths_u: np.ndarray
-    lengths_v: np.ndarray
-    along_u: np.ndarray
-    along_v: np.ndarray
+    table: Table
+    measure: object
 
 
 def read_face(face, name="the face"):
@@ -63,10 +70,9 @@ def read_face(face, name="the face"):
     limits = face.ParameterRange
     if max(abs(limit) for limit in limits) > 1e50:
         raise fn.InvalidInput(f"{name} is endless: pick a face with an outline")
-    point = _parametrisation(face, limits, name)
-    grid = np.linspace(0.0, 1.0, TABLE_INTERVALS + 1)
-    a, b = np.meshgrid(grid, grid, indexing="ij")
-    points = point(a.ravel(), b.ravel()).reshape(*a.shape, 3)
+    point, measure, knots = _parametrisation(face, limits, name)
+    axes = [Axis(of_one) for of_one in knots]
+    points = _grid(point, *axes)
     if not np.isfinite(points).all():
         raise fn.InvalidInput(
             f"{name} has points that are not finite: check the shape (Part, Check geometry)"
@@ -84,8 +90,7 @@ def read_face(face, name="the face"):
         for side, line in zip(SIDES, (points[0], points[-1], points[:, 0], points[:, -1]))
         if _coincide(line, line[:1], size)
     )
-    along_u, lengths_u = _shares(points)
-    along_v, lengths_v = _shares(points.transpose(1, 0, 2))
+    table = _refined(Table.of(*axes, points), point, measure, knots)
     # Asked of the face itself: Surface.isUClosed() speaks of the whole surface, of which the face may be a
     # part, and a loft may close on itself without a seam edge.
     return Chart(
@@ -94,11 +99,30 @@ def read_face(face, name="the face"):
         closed_u=_coincide(points[0], points[-1], size) and not poles & {"u_min", "u_max"},
         closed_v=_coincide(points[:, 0], points[:, -1], size) and not poles & {"v_min", "v_max"},
         poles=poles,
-        lengths_u=lengths_u,
-        lengths_v=lengths_v,
-        along_u=along_u,
-        along_v=along_v.T,
+        table=table,
+        measure=measure,
     )
+
+
+def _grid(point, axis_u, axis_v):
+    a, b = np.meshgrid(axis_u.lines, axis_v.lines, indexing="ij")
+    return point(a.ravel(), b.ravel()).reshape(*a.shape, 3)
+
+
+def _refined(table, point, measure, knots):
+    """The table, or a finer one where it errs: a busy face has more between knots than four lines hold."""
+    fineness = 1
+    # Spread without a pattern of their own, apart from the lines of any table.
+    a, b = (np.arange(1, PROBES + 1)[:, None] * [0.7548776662466927, 0.5698402909980532] % 1.0).T
+    while measure is not None:
+        errors = np.abs(np.subtract(table.shares(a, b), measure(a, b)))
+        error = np.nanmax(errors, initial=0.0)
+        if error <= 0.1 * SHARE_ERROR or 4 * table.along_u.size > MOST_POINTS:
+            break
+        fineness *= 2
+        axes = [Axis(of_one, fineness) for of_one in knots]
+        table = Table.of(*axes, _grid(point, *axes))
+    return table
 
 
 def count_cells(chart, step_u, step_v):
@@ -108,8 +132,8 @@ def count_cells(chart, step_u, step_v):
     """
     cells = []
     for name, step, lengths, closed, ends in (
-        ("StepU", step_u, chart.lengths_u, chart.closed_u, {"u_min", "u_max"}),
-        ("StepV", step_v, chart.lengths_v, chart.closed_v, {"v_min", "v_max"}),
+        ("StepU", step_u, chart.table.lengths_u, chart.closed_u, {"u_min", "u_max"}),
+        ("StepV", step_v, chart.table.lengths_v, chart.closed_v, {"v_min", "v_max"}),
     ):
         if not step > 0.0:
             raise fn.InvalidInput(f"{name} is {step:g} mm: give a length greater than zero")
@@ -137,20 +161,26 @@ def sample(chart, uv):
     Raises InvalidInput where the face folds so much that no such crossing is found.
     """
     s, t = np.asarray(uv, dtype=float).T
-    a, b = _crossings(chart, s, t)
+    a, b = chart.table.crossings(s, t)
     for parameter, share in ((a, s), (b, t)):
         np.clip(parameter, 0.0, 1.0, out=parameter)
         parameter[share == 0.0] = 0.0
         parameter[share == 1.0] = 1.0
-    missed = np.maximum(
-        np.abs(_interpolate(chart.along_u, a, b)[0] - s), np.abs(_interpolate(chart.along_v, a, b)[0] - t)
-    )
+    along_u, along_v = chart.table.shares(a, b)
+    missed = np.maximum(np.abs(along_u - s), np.abs(along_v - t))
     # Shares have no meaning on a side that has no length.
     at_pole = np.zeros(len(s), dtype=bool)
     for side in chart.poles:
         at_pole |= (s if side[0] == "u" else t) == (0.0 if side.endswith("min") else 1.0)
-    worst = int(np.argmax(np.where(at_pole, 0.0, missed)))
-    if not at_pole[worst] and missed[worst] > 1e-6:
+    missed[at_pole] = 0.0
+    if chart.measure is not None:
+        probes = np.flatnonzero(~at_pole)
+        probes = probes[np.linspace(0, len(probes) - 1, min(PROBES, len(probes))).astype(int)]
+        along_u, along_v = chart.measure(a[probes], b[probes])
+        measured = np.maximum(np.abs(along_u - s[probes]), np.abs(along_v - t[probes]))
+        missed[probes] = np.where(measured > LARGEST_SHARE_ERROR, measured, missed[probes])
+    worst = int(np.argmax(missed))
+    if missed[worst] > SHARE_ERROR:
         raise fn.InvalidInput(
             f"the isolines of the face cannot be divided into equal lengths in both directions "
             f"(node {worst}, at {s[worst]:.3g}, {t[worst]:.3g}): the face is too folded or too unevenly "
@@ -160,6 +190,7 @@ def sample(chart, uv):
 
 
 def _parametrisation(face, limits, name):
+    """(point, measure) as in a Chart, and the inner knots along u and along v, in (0, 1)."""
     surface = face.Surface
     if not _fills_rectangle(face, limits):
         corners = _rectangle_corners(face)
@@ -170,7 +201,7 @@ def _parametrisation(face, limits, name):
         def on_plane(a, b):
             return origin + np.outer(a, along - origin) + np.outer(b, across - origin)
 
-        return on_plane
+        return on_plane, None, ((), ())
 
     u_first, u_last, v_first, v_last = limits
 
@@ -180,7 +211,40 @@ def _parametrisation(face, limits, name):
         value = surface.value
         return np.array([(p.x, p.y, p.z) for p in map(value, us, vs)]).reshape(-1, 3)
 
-    return on_surface
+    def measure(a, b):
+        us, vs = u_first + (u_last - u_first) * a, v_first + (v_last - v_first) * b
+        along_u = [_share(surface.vIso(v), u_first, u, u_last) for u, v in zip(us.tolist(), vs.tolist())]
+        along_v = [_share(surface.uIso(u), v_first, v, v_last) for u, v in zip(us.tolist(), vs.tolist())]
+        return np.array(along_u), np.array(along_v)
+
+    of_u, of_v = _knots(surface)
+    return on_surface, measure, (_inner(of_u, u_first, u_last), _inner(of_v, v_first, v_last))
+
+
+def _share(curve, first, at, last):
+    """Of the curve's length before a parameter; nan where it has none."""
+    whole = curve.length(first, last)
+    return curve.length(first, at) / whole if whole > 0.0 else np.nan
+
+
+def _knots(surface):
+    """Knots along u and along v, where the surface or what it is made from has them."""
+    if isinstance(surface, Part.OffsetSurface):
+        return _knots(surface.BasisSurface)
+    if hasattr(surface, "getUKnots"):
+        return surface.getUKnots(), surface.getVKnots()
+    curve = getattr(surface, "BasisCurve", None)
+    of_curve = curve.getKnots() if hasattr(curve, "getKnots") else ()
+    return ((), of_curve) if isinstance(surface, Part.SurfaceOfRevolution) else (of_curve, ())
+
+
+def _inner(knots, first, last):
+    """The knots within a range, mapped to (0, 1), thinned where a table could not hold as many."""
+    inner = np.unique((np.array(knots, dtype=float) - first) / (last - first))
+    inner = inner[(inner > 1e-9) & (inner < 1.0 - 1e-9)]
+    if len(inner) <= MOST_KNOTS:
+        return inner
+    return inner[np.linspace(0, len(inner) - 1, MOST_KNOTS).astype(int)]
 
 
 def _fills_rectangle(face, limits):
@@ -228,104 +292,3 @@ def _coincide(line, other, size):
 def _area(points):
     diagonals = points[1:, 1:] - points[:-1, :-1], points[:-1, 1:] - points[1:, :-1]
     return 0.5 * np.linalg.norm(np.cross(*diagonals), axis=2).sum()
-
-
-def _shares(points):
-    """Shares of arc length along axis 0 of a (k, k, 3) grid of points, and the length of each line.
-
-    Chords fall short of arcs by the square of their size, so pairs of chords and the chord across them
-    extrapolate (Richardson) to an error of fourth order.
-    """
-    chords = np.linalg.norm(np.diff(points, axis=0), axis=2)
-    pairs = chords[0::2] + chords[1::2]
-    across = np.linalg.norm(points[2::2] - points[:-2:2], axis=2)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        stretch = np.where(pairs > 0.0, (4.0 * pairs - across) / (3.0 * pairs), 1.0)
-    chords *= np.repeat(stretch, 2, axis=0)
-    passed = np.vstack([np.zeros(chords.shape[1]), np.cumsum(chords, axis=0)])
-    lengths = passed[-1].copy()
-    has_length = lengths > COINCIDENT * lengths.max()
-    shares = np.empty_like(passed)
-    shares[:, has_length] = passed[:, has_length] / lengths[has_length]
-    # A side without length (a pole) takes the limit of the lines next to it.
-    inner = np.flatnonzero(has_length)
-    for line in np.flatnonzero(~has_length):
-        nearest = inner[np.argmin(np.abs(inner - line))]
-        following = nearest + (1 if nearest > line else -1)
-        shares[:, line] = 2.0 * shares[:, nearest] - shares[:, following]
-    return shares, lengths
-
-
-def _crossings(chart, s, t):
-    """Parameters (a, b) where along_u = s and along_v = t."""
-    grid = np.linspace(0.0, 1.0, TABLE_INTERVALS + 1)
-    # Tables of a at (s, b) and of b at (a, t): a share grows along its isoline, so each line inverts alone.
-    a_of = np.array([np.interp(grid, column, grid) for column in chart.along_u.T]).T
-    b_of = np.array([np.interp(grid, row, grid) for row in chart.along_v])
-    a, b = s.copy(), t.copy()
-    for turn in range(40):
-        # On twisted faces the plain iteration may circle round the crossing; a mean of two turns does not.
-        weight = 1.0 if turn < 10 else 0.5
-        a_next = a + weight * (_bilinear(a_of, s, b) - a)
-        b_next = b + weight * (_bilinear(b_of, a_next, t) - b)
-        change = max(np.abs(a_next - a).max(), np.abs(b_next - b).max())
-        a, b = a_next, b_next
-        if change < 1e-5:
-            break
-    for _ in range(6):
-        su, su_a, su_b = _interpolate(chart.along_u, a, b)
-        sv, sv_a, sv_b = _interpolate(chart.along_v, a, b)
-        determinant = su_a * sv_b - su_b * sv_a
-        with np.errstate(divide="ignore", invalid="ignore"):
-            da = np.nan_to_num(((su - s) * sv_b - (sv - t) * su_b) / determinant, posinf=0.0, neginf=0.0)
-            db = np.nan_to_num(((sv - t) * su_a - (su - s) * sv_a) / determinant, posinf=0.0, neginf=0.0)
-        a = np.clip(a - np.clip(da, -0.05, 0.05), 0.0, 1.0)
-        b = np.clip(b - np.clip(db, -0.05, 0.05), 0.0, 1.0)
-        if max(np.abs(da).max(), np.abs(db).max()) < 1e-13:
-            break
-    return a, b
-
-
-def _cell(parameter, first, last):
-    scaled = np.clip(parameter, 0.0, 1.0) * TABLE_INTERVALS
-    index = np.clip(scaled.astype(int) - first, 0, TABLE_INTERVALS - last)
-    return index, scaled - index
-
-
-def _bilinear(table, a, b):
-    i, x = _cell(a, 0, 1)
-    j, y = _cell(b, 0, 1)
-    low = table[i, j] * (1 - x) + table[i + 1, j] * x
-    high = table[i, j + 1] * (1 - x) + table[i + 1, j + 1] * x
-    return low * (1 - y) + high * y
-
-
-def _interpolate(table, a, b):
-    """Bicubic (Lagrange, four points a side) value and derivatives to a and b, table on the unit square."""
-    i, x = _cell(a, 1, 3)
-    j, y = _cell(b, 1, 3)
-    offsets = np.arange(4)
-    patch = table[i[:, None, None] + offsets[:, None], j[:, None, None] + offsets]
-    wx, dx = _cubic_weights(x)
-    wy, dy = _cubic_weights(y)
-    along = np.einsum("nij,nj->ni", patch, wy)
-    value = (along * wx).sum(axis=1)
-    to_a = (along * dx).sum(axis=1) * TABLE_INTERVALS
-    to_b = (np.einsum("nij,nj->ni", patch, dy) * wx).sum(axis=1) * TABLE_INTERVALS
-    return value, to_a, to_b
-
-
-def _cubic_weights(x):
-    """Lagrange weights at the points 0, 1, 2, 3 and their derivatives: (n, 4) each."""
-    p, q, r = x - 1.0, x - 2.0, x - 3.0
-    weights = np.stack([-p * q * r / 6, x * q * r / 2, -x * p * r / 2, x * p * q / 6], axis=1)
-    slopes = np.stack(
-        [
-            -(q * r + p * r + p * q) / 6,
-            (q * r + x * r + x * q) / 2,
-            -(p * r + x * r + x * p) / 2,
-            (p * q + x * q + x * p) / 6,
-        ],
-        axis=1,
-    )
-    return weights, slopes
