@@ -124,7 +124,7 @@ def test_a_lost_source_is_mended_in_the_panel(opened, roof):
     gridshell = opened.ViewObject.Proxy
     gridshell.doubleClicked(opened.ViewObject)
     wrong = wait_for_result()
-    assert wrong.startswith("✖") and "Source" in wrong
+    assert wrong.startswith("✖") and "Source" in wrong and "Use selected face" in wrong
     select_faces(other, "Face1")
     panel_box("Source").click()
     assert wait_for_result(wrong).startswith("✔")

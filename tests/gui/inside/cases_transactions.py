@@ -143,3 +143,12 @@ def test_cancel_with_nothing_changed_solves_nothing(opened, monkeypatch):
     type_into(panel_box("CoveringWeight"), "90")
     press("Cancel")
     assert solves, "what was changed is solved again with the old value"
+
+
+def test_cancel_takes_back_what_was_set_beside_the_panel(opened):
+    press("Ok")
+    edit_again(opened)
+    # As FreeCAD's property editor does: it joins the transaction that is open.
+    opened.CoveringWeight = "90 kg/m^2"
+    press("Cancel")
+    assert weight_of(opened) == pytest.approx(30.0) and "Touched" not in opened.State

@@ -93,10 +93,18 @@ def starting_steps(face):
         # No net can be made on it, and the net says why.
         return 1000.0, 1000.0
     wanted = chart.size / CELLS_ACROSS
-    return tuple(
-        _round_down(min(wanted, lengths.mean() / FEWEST_CELLS))
-        for lengths in (chart.lengths_u, chart.lengths_v)
-    )
+    return tuple(_round_down(min(wanted, _mean_isoline(chart, axis) / FEWEST_CELLS)) for axis in ("u", "v"))
+
+
+def _mean_isoline(chart, axis):
+    """Mean length [mm] of a few isolines along u or along v, by their chords."""
+    import numpy as np
+
+    line, count = np.linspace(0.0, 1.0, 33), 5
+    along, across = np.tile(line, count), np.repeat(np.linspace(0.0, 1.0, count), len(line))
+    points = chart.point(along, across) if axis == "u" else chart.point(across, along)
+    steps = np.diff(points.reshape(count, len(line), 3), axis=1)
+    return float(np.linalg.norm(steps, axis=2).sum()) / count
 
 
 def _round_down(length):

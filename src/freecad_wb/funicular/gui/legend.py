@@ -15,7 +15,9 @@ NODE_PREFIX = "Funicular_legend_"
 WATCHED = "funicular_legends"
 
 WIDTH, HEIGHT, GAP = 164, 262, 8
-BAR = QtCore.QRect(14, 60, 22, 168)
+BAR = QtCore.QRect(14, 46, 22, 182)
+# Taken from the bar where a word stands above it.
+WORD = 14
 PAPER, INK = QtGui.QColor(255, 255, 255, 225), QtGui.QColor(25, 30, 40)
 
 COMPRESSION = QT_TRANSLATE_NOOP("Funicular", "compression −")
@@ -166,25 +168,31 @@ def _draw_words(painter, title, scale):
         small = not scale.one_scale and scale.largest_compression < scale.largest_tension
         below = translate(COMPRESSION_ENLARGED if small else COMPRESSION)
     painter.setFont(_font(10))
-    for top, words in ((BAR.top() - 21, above), (BAR.bottom() + 8, below)):
+    bar = _bar(scale)
+    for top, words in ((bar.top() - 21, above), (bar.bottom() + 8, below)):
         painter.drawText(QtCore.QRect(12, top, room, 16), QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, words)
 
 
+def _bar(scale):
+    return BAR.adjusted(0, WORD, 0, 0) if scale.largest_tension > 0.0 else BAR
+
+
 def _draw_bar(painter, scale):
+    bar = _bar(scale)
     # One strip, scaled: rows drawn one by one leave seams on screens with a fractional scale.
     strip = QtGui.QImage(1, 256, QtGui.QImage.Format_RGBA8888)
     for row in range(strip.height()):
         colour = scale.bar_colour(1.0 - (row + 0.5) / strip.height())
         strip.setPixelColor(0, row, QtGui.QColor.fromRgbF(*colour))
-    painter.drawImage(QtCore.QRectF(BAR), strip)
+    painter.drawImage(QtCore.QRectF(bar), strip)
     painter.setPen(INK)
     painter.setBrush(QtCore.Qt.NoBrush)
-    painter.drawRect(BAR.adjusted(0, 0, -1, -1))
+    painter.drawRect(bar.adjusted(0, 0, -1, -1))
     painter.setFont(_font(11))
     for position, force in scale.marks():
-        height = BAR.top() + round((1.0 - position) * (BAR.height() - 1))
-        painter.drawLine(BAR.right() + 1, height, BAR.right() + 6, height)
-        room = QtCore.QRect(BAR.right() + 11, height - 8, WIDTH - BAR.right() - 16, 16)
+        height = bar.top() + round((1.0 - position) * (bar.height() - 1))
+        painter.drawLine(bar.right() + 1, height, bar.right() + 6, height)
+        room = QtCore.QRect(bar.right() + 11, height - 8, WIDTH - bar.right() - 16, 16)
         painter.drawText(room, QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, scale.text(force))
 
 

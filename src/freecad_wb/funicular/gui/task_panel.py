@@ -108,7 +108,6 @@ class GridshellPanel:
         self._document = shell.Document
         # Sentences on inputs that cannot be read, by property.
         self._unreadable = {}
-        self._edited = False
         if transaction is None:
             self._document.openTransaction(translate("Edit gridshell"))
             transaction = active_transaction()
@@ -148,8 +147,9 @@ class GridshellPanel:
         if self._shell is None:
             return
         document = self._leave()
+        changed = document.HasPendingTransaction
         FreeCAD.closeActiveTransaction(True, self._transaction)
-        if self._edited:
+        if changed:
             # Aborting restores the values and leaves what they belong to marked as out of date.
             document.recompute()
 
@@ -243,7 +243,6 @@ class GridshellPanel:
             try:
                 # A property that follows an expression is the expression's to set.
                 if not expression_of(obj, name) and getattr(obj, name) != value:
-                    self._edited = True
                     setattr(obj, name, value)
             except ReferenceError:
                 # The object is gone, and what depended on it says so when it is solved.
@@ -277,7 +276,6 @@ class GridshellPanel:
         before = clicked_object(net.Source)
         if before:
             before.Visibility = True
-        self._edited = True
         net.Source = source
         FreeCADGui.Selection.clearSelection()
         self.recompute()
@@ -304,7 +302,7 @@ class GridshellPanel:
         for obj in (self._shell.Net, self._shell):
             if obj is not None and "Invalid" in obj.State:
                 kept = "" if self._shell.Shape.isNull() else " " + translate("(The last good shape stays.)")
-                self.line.say(WRONG, obj.getStatusString() + kept)
+                self.line.say(WRONG, obj.getStatusString() + kept + self._remedy(obj))
                 return
         if self._shell.Status != "converged":
             self.line.say(WRONG, result_line(self._shell))
@@ -312,6 +310,11 @@ class GridshellPanel:
             self.line.say(DOUBTFUL, result_line(self._shell))
         else:
             self.line.say(GOOD, result_line(self._shell))
+
+    def _remedy(self, obj):
+        if obj == self._shell or "Source" not in obj.getStatusString():
+            return ""
+        return " " + translate("To lay the net on another face, select it and press “Use selected face”.")
 
     def _leave(self):
         """Stop following the document, which may be about to go; returns it."""
