@@ -328,6 +328,22 @@ def test_what_an_expression_drives_is_read_only_and_says_so(opened, name):
     assert getattr(opened, name) == value and dict(opened.ExpressionEngine)[name] == expression
 
 
+def test_what_follows_an_expression_follows_it_in_the_panel_too(opened):
+    press("Ok")
+    opened.Net.setExpression("StepV", ".StepU")
+    opened.setExpression("Snow", "CoveringWeight * 10 m/s^2")
+    opened.Document.recompute()
+    before = edit_again(opened)
+    assert panel_box("Snow").text() == "0.3 kN/m²"
+    type_into(panel_box("StepU"), "800 mm")
+    type_into(panel_box("CoveringWeight"), "50")
+    wait_for_result(before)
+    assert panel_box("StepV").property("rawValue") == pytest.approx(800.0)
+    assert panel_box("Snow").text() == "0.5 kN/m²"
+    press("Ok")
+    assert opened.Net.StepV.Value == pytest.approx(800.0) and len(opened.ExpressionEngine) == 1
+
+
 def test_units_of_the_field(opened):
     assert panel_box("CoveringWeight").text() == "30 kg/m²"
     assert panel_box("Snow").text() == "0 kN/m²"

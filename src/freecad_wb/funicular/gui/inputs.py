@@ -74,10 +74,11 @@ def make_input(obj, name, on_change, on_error):
     elif kind.startswith("App::PropertyInteger"):
         widget = _count(obj, name, on_change)
     elif name in UNITS:
-        widget = QuantityField(getattr(obj, name), UNITS[name], on_change, on_error)
+        widget = QuantityField(UNITS[name], on_change, on_error)
     else:
         widget = _quantity(obj, name, on_change, on_error)
     widget.setObjectName(name)
+    show_value(widget, obj, name)
     if kind != "App::PropertyBool":
         # Room for "1000.00 mm" and its f(x), beside the label in a panel of the width that FreeCAD gives it.
         widget.setMinimumWidth(104)
@@ -89,6 +90,23 @@ def make_input(obj, name, on_change, on_error):
     widget.setToolTip(documentation)
     widget.setStatusTip(documentation)
     return widget
+
+
+def show_value(widget, obj, name):
+    """Let a widget of make_input() show what the property has become, without taking it for an edit."""
+    value = getattr(obj, name)
+    blocked = widget.blockSignals(True)
+    if isinstance(widget, QtWidgets.QComboBox):
+        widget.setCurrentText(value)
+    elif isinstance(widget, QtWidgets.QCheckBox):
+        widget.setChecked(value)
+    elif isinstance(widget, QtWidgets.QSpinBox):
+        widget.setValue(value)
+    elif isinstance(widget, QuantityField):
+        widget.show_quantity(value)
+    else:
+        widget.setProperty("rawValue", value.Value)
+    widget.blockSignals(blocked)
 
 
 def _make_read_only(widget):
@@ -104,14 +122,12 @@ def _choice(obj, name, on_change):
     widget.addItems(choices)
     widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     widget.setMinimumContentsLength(8)
-    widget.setCurrentIndex(choices.index(getattr(obj, name)))
     widget.currentIndexChanged.connect(lambda index: on_change(choices[index]))
     return widget
 
 
 def _check(obj, name, on_change):
     widget = CheckBox()
-    widget.setChecked(getattr(obj, name))
     widget.toggled.connect(on_change)
     return widget
 
@@ -119,7 +135,6 @@ def _check(obj, name, on_change):
 def _count(obj, name, on_change):
     widget = QtWidgets.QSpinBox()
     widget.setRange(0, 1000)
-    widget.setValue(getattr(obj, name))
     widget.setSpecialValueText(translate("off"))
     widget.valueChanged.connect(on_change)
     return widget
@@ -130,7 +145,6 @@ def _quantity(obj, name, on_change, on_error):
     widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
     quantity = getattr(obj, name)
     widget.setProperty("unit", quantity.getUserPreferred()[2])
-    widget.setProperty("rawValue", quantity.Value)
     FreeCADGui.ExpressionBinding(widget).bind(obj, name)
 
     def changed(value):
@@ -165,17 +179,16 @@ class CheckBox(QtWidgets.QCheckBox):
 class QuantityField(QtWidgets.QLineEdit):
     """A quantity written in `unit`; other units of the same kind are understood too."""
 
-    def __init__(self, quantity, unit, on_change, on_error):
+    def __init__(self, unit, on_change, on_error):
         super().__init__()
         self._unit = unit
         self._dimension = FreeCAD.Units.Unit(_as_parsed(unit))
         self._on_change, self._on_error = on_change, on_error
-        self.setText(self._written(quantity))
         self.textEdited.connect(self._read)
         self.editingFinished.connect(self._complete)
 
-    def _written(self, quantity):
-        return f"{float(quantity.getValueAs(_as_parsed(self._unit))):.6g} {self._unit}"
+    def show_quantity(self, quantity):
+        self.setText(f"{float(quantity.getValueAs(_as_parsed(self._unit))):.6g} {self._unit}")
 
     def _quantity(self):
         """What is written, or None if it is no quantity of this kind. A bare number has the unit shown."""
@@ -199,7 +212,7 @@ class QuantityField(QtWidgets.QLineEdit):
     def _complete(self):
         quantity = self._quantity()
         if quantity is not None:
-            self.setText(self._written(quantity))
+            self.show_quantity(quantity)
 
 
 def _as_parsed(text):

@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from funicular.gui.icons import icon
-from funicular.gui.inputs import SECTIONS, expression_of, make_input
+from funicular.gui.inputs import SECTIONS, expression_of, make_input, show_value
 from funicular.gui.picking import WrongSelection, clicked_object, the_face
 from funicular.gui.qt import QtCore, QtGui, QtWidgets, translate
 
@@ -108,6 +108,8 @@ class GridshellPanel:
         self._document = shell.Document
         # Sentences on inputs that cannot be read, by property.
         self._unreadable = {}
+        # (widget, object, property) of the inputs that follow an expression.
+        self._driven = []
         if transaction is None:
             self._document.openTransaction(translate("Edit gridshell"))
             transaction = active_transaction()
@@ -223,6 +225,8 @@ class GridshellPanel:
                 obj = owners[owner]
                 widget = make_input(obj, name, self._setter(obj, name), self._unread(name))
                 inputs.addRow(translate(label), widget)
+                if expression_of(obj, name):
+                    self._driven.append((widget, obj, name))
                 inputs.labelForField(widget).setToolTip(widget.toolTip())
         return form
 
@@ -294,6 +298,9 @@ class GridshellPanel:
         self.line.say(BUSY, translate("Solving"))
         self.line.repaint()
         self._document.recompute()
+        for widget, obj, name in self._driven:
+            if obj in (self._shell, self._shell.Net):
+                show_value(widget, obj, name)
         self._show_result()
 
     def _show_result(self):
@@ -302,7 +309,7 @@ class GridshellPanel:
         for obj in (self._shell.Net, self._shell):
             if obj is not None and "Invalid" in obj.State:
                 kept = "" if self._shell.Shape.isNull() else " " + translate("(The last good shape stays.)")
-                self.line.say(WRONG, obj.getStatusString() + kept + self._remedy(obj))
+                self.line.say(WRONG, obj.getStatusString() + self._remedy(obj) + kept)
                 return
         if self._shell.Status != "converged":
             self.line.say(WRONG, result_line(self._shell))
@@ -314,7 +321,7 @@ class GridshellPanel:
     def _remedy(self, obj):
         if obj == self._shell or "Source" not in obj.getStatusString():
             return ""
-        return " " + translate("To lay the net on another face, select it and press “Use selected face”.")
+        return translate(". Select another face and press “Use selected face”.")
 
     def _leave(self):
         """Stop following the document, which may be about to go; returns it."""
