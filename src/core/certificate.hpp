@@ -41,10 +41,10 @@ struct Certificate {
     [[nodiscard]] std::string summary() const;
 };
 
-/// \param centred_nodes shape relative to the net's centre [m]
-/// \param reactions     of the built structure [N], whose balance with the loads is certified; recomputed if
-/// null \param tolerance     relative residual up to which it counts as equilibrium \throws InvalidInput if
-/// the shape does not fit the scene's net
+/// Certifies a shape, given relative to the net's centre [m], with the reactions [N] that go with it; they
+/// are recomputed if null. Up to `tolerance` a relative residual counts as equilibrium.
+///
+/// \throws InvalidInput if the shape does not fit the scene's net
 [[nodiscard]] Certificate certify(const Scene &scene, const Points &centred_nodes, const Points *reactions,
                                   double tolerance);
 

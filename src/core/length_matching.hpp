@@ -9,8 +9,9 @@
 namespace funicular {
 
 /// The scene with rest lengths r ← r L / l', L a member's length in the source net and l' in the result
-/// (paper section 4.2; its equation (1) is meant so: l'² / L, the other reading, diverges). \throws
-/// InvalidInput if the result is not one of this scene's net, or a member has shrunk to nothing
+/// (paper section 4.2; its equation (1) is meant so: l'² / L, the other reading, diverges).
+///
+/// \throws InvalidInput if the result is not one of this scene's net, or a member has shrunk to nothing
 [[nodiscard]] std::shared_ptr<const Scene> match_lengths(const Scene &scene, const Result &result);
 
 /// Root mean square over the members of (l' - L) / L.

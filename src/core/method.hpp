@@ -23,12 +23,16 @@ public:
     virtual ~Iteration() = default;
 
     /// How far x still is from equilibrium: the largest node's |K⁻¹ r|. Infinite while the method need not
-    /// know. \pre equilibrium was evaluated at x
+    /// know.
+    ///
+    /// \pre equilibrium was evaluated at x
     [[nodiscard]] virtual double position_error(const Points &x, Equilibrium &equilibrium,
                                                 const Goal &goal) = 0;
 
     enum class Move { made, impossible };
-    /// Moves x and evaluates there. \pre position_error was asked at x
+    /// Moves x and evaluates there.
+    ///
+    /// \pre position_error was asked at x
     virtual Move move(Points &x, Equilibrium &equilibrium) = 0;
 };
 

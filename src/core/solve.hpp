@@ -37,7 +37,9 @@ public:
     /// \returns whether the solve has ended
     bool advance(double max_seconds = std::numeric_limits<double>::infinity());
     /// Goes on from the present shape with another scene, which must have as many nodes; from that scene's
-    /// net where the present shape has run away. \throws InvalidInput for another number of nodes
+    /// net where the present shape has run away.
+    ///
+    /// \throws InvalidInput for another number of nodes
     void replace(std::shared_ptr<const Scene> scene);
     /// The latest shape [m]. May be asked from another thread at any time, and does not wait.
     [[nodiscard]] Points nodes() const;

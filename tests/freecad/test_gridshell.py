@@ -335,3 +335,29 @@ def test_progress_cancels_the_solve(doc, shell, monkeypatch):
     shell.touch()
     assert recompute(doc) == {}
     assert shell.Status == "converged"
+
+
+def test_a_cancelled_round_of_matching_is_cancelled(doc, dome, monkeypatch):
+    from funicular.features import progress
+
+    shell = make_gridshell(doc, source=dome, StepU="3 m", StepV="2 m")
+    assert recompute(doc) == {}
+    begun = []
+
+    def third_round_is_too_much(self, report):
+        begun.append(report.iteration)
+        return begun.count(0) < 3
+
+    monkeypatch.setattr(progress.Progress, "__call__", third_round_is_too_much)
+    shell.LengthMatching = 5
+    assert list(recompute(doc)) == ["Gridshell"]
+    assert shell.Status == "cancelled"
+
+
+def test_the_summary_says_when_members_are_stretched_far(doc, dome):
+    shell = make_gridshell(doc, source=dome, StepU="3 m", StepV="2 m", AxialStiffness="20 kN")
+    assert recompute(doc) == {}
+    assert shell.CompressionOnly and "times as long as on the face" in shell.Summary
+    shell.AxialStiffness = "2 MN"
+    assert recompute(doc) == {}
+    assert "times as long" not in shell.Summary

@@ -180,3 +180,8 @@ def test_a_failure_inside_a_transaction_of_the_caller(doc, box):
     doc.commitTransaction()
     assert doc.UndoNames == ["Mine"]
     assert [obj.Label for obj in doc.Objects] == ["Block"]
+
+
+def test_a_square_may_be_written_as_it_is_shown(doc, dome):
+    shell = make_gridshell(doc, source=dome, StepU="3 m", StepV="2 m", CoveringWeight="45 kg/m²")
+    assert shell.CoveringWeight.getValueAs("kg/m^2").Value == pytest.approx(45)

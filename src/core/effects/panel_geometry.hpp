@@ -15,7 +15,7 @@ namespace funicular {
 /// never cancels when a panel warps.
 class PanelGeometry {
 public:
-    /// Places the panel. \pre at least three corners.
+    /// Looks at a panel, which has at least three corners.
     void place(const Points &x, std::span<const Index> corners);
 
     [[nodiscard]] int corner_count() const { return static_cast<int>(corners_.size()); }

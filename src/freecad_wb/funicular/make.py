@@ -180,7 +180,9 @@ def _quantity(value, unit):
     if isinstance(value, Real):
         quantity = App.Units.Quantity(f"{float(value)!r} {unit}") if isfinite(value) else None
     else:
-        quantity = App.Units.Quantity(value)
+        # FreeCAD reads kg/m^2 only, and people write what they are shown.
+        text = value.replace("²", "^2") if isinstance(value, str) else value
+        quantity = App.Units.Quantity(text)
         if quantity.Unit != App.Units.Unit(unit):
             raise ValueError(f"it is not in {unit}, give it with that unit")
     if quantity is None or not isfinite(quantity.Value) or quantity.Value < 0.0:

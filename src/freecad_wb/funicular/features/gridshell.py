@@ -167,7 +167,7 @@ class Gridshell(Feature):
     def compute(self, obj):
         scene, result = _solve(obj, scene_of(obj))
         if result.status != "converged":
-            raise Unsolved(result)
+            raise Unsolved(result.status, result.message)
         _write(obj, scene, result, fn.certify(scene, result))
 
     def failed(self, obj, error):
@@ -178,11 +178,11 @@ class Gridshell(Feature):
 
 
 class Unsolved(ValueError):
-    """The solver did not arrive. status: that of its result, such as "time_limit"."""
+    """The solver did not arrive. status: how it ended, such as "time_limit"; message: its own words."""
 
-    def __init__(self, result):
-        super().__init__(_complaint(result))
-        self.status = result.status
+    def __init__(self, status, message=""):
+        super().__init__(_complaint(status, message))
+        self.status = status
 
 
 def scene_of(obj):
@@ -279,8 +279,14 @@ def _solve(obj, scene):
         if not obj.LengthMatching:
             return scene, fn.solve(scene, on_progress=progress, **options)
         matched = fn.solve_matching_lengths(scene, rounds=obj.LengthMatching, on_progress=progress, **options)
+        if matched.status == "cancelled":
+            raise Unsolved(matched.status)
+        # A later round that met a limit only means that the best before it is what there is.
         return matched.scene, matched.result
 
+
+# A net that follows its face more loosely than this is hardly what was wanted.
+REMARKABLE_STRETCH = 1.5
 
 # What a user can turn where the solver did not arrive.
 PROPERTIES_TO_CHANGE = {
@@ -290,10 +296,10 @@ PROPERTIES_TO_CHANGE = {
 }
 
 
-def _complaint(result):
-    if result.status == "cancelled":
+def _complaint(status, message):
+    if status == "cancelled":
         return "the solve was cancelled and the last good shape stays; recompute to solve again"
-    return f"{result.message} Properties to change: {PROPERTIES_TO_CHANGE[result.status]}."
+    return f"{message} Properties to change: {PROPERTIES_TO_CHANGE[status]}."
 
 
 def _write(obj, scene, result, certificate):
@@ -320,22 +326,28 @@ def _write(obj, scene, result, certificate):
     obj.TotalWeight = -certificate.total_load[2] / NEWTONS
     obj.ReactionSum = certificate.reaction_sum[2] / NEWTONS
     obj.Status = result.status
-    obj.Summary = _sentence(result, certificate)
+    obj.Summary = _sentence(result, certificate, 1.0 + float(deviation.max()))
 
 
-def _sentence(result, certificate):
+def _sentence(result, certificate, stretch):
+    """stretch: of the most stretched member, its length over that on the face."""
     if certificate.compression_only:
         forces = f"compression only, at most {_force(-result.member_forces.min())}"
         if len(certificate.slack_members):
             forces += f", {len(certificate.slack_members)} slack"
-    else:
+    elif len(certificate.tension_members):
         forces = (
             f"{len(certificate.tension_members)} of {len(result.member_forces)} members in tension, "
             f"at most {_force(certificate.worst_tension)}"
         )
+    else:
+        forces = certificate.summary().rstrip(".")
     away = result.position_error / METRES
     distance = f"{away:.2g} mm" if away >= 0.001 else "less than 0.001 mm"
-    return f"Converged, {distance} from equilibrium; {forces}"
+    sentence = f"Converged, {distance} from equilibrium; {forces}"
+    if stretch > REMARKABLE_STRETCH:
+        sentence += f"; members up to {stretch:.3g} times as long as on the face: stiffer ones stretch less"
+    return sentence
 
 
 def _force(newtons):
