@@ -178,5 +178,23 @@ TEST(Oracle, SnowOnPlanWithSelfWeight) {
     EXPECT_NEAR(extrapolated(coarse, middle, fine), 2.601391873, 1e-9);
 }
 
+/// A sheet of 10 m under 0.5 kN/m of its members' present length, EA 100 kN.
+double rise_of_sheet(Index cells, bool on_corners) {
+    const auto net = flat_sheet(10, 10, 10.0 / cells);
+    return rise(std::make_shared<const Scene>(
+        net,
+        std::vector<Support>{
+            {.kind = SupportKind::fixed, .nodes = on_corners ? net->lattice()->corners() : net->border()}},
+        std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e5)},
+                                       MemberWeight{500 / standard_gravity}}));
+}
+
+TEST(Oracle, SheetsRiseAsAnotherCodeHasThem) {
+    EXPECT_NEAR(rise_of_sheet(20, false), 1.486945, 5e-7);
+    EXPECT_NEAR(rise_of_sheet(50, false), 1.487065, 5e-7);
+    EXPECT_NEAR(rise_of_sheet(20, true), 5.529614, 5e-7);
+    EXPECT_NEAR(rise_of_sheet(50, true), 5.887808, 5e-7);
+}
+
 } // namespace
 } // namespace funicular::test
