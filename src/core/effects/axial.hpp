@@ -42,7 +42,6 @@ public:
     void tensions(const Points &x, Eigen::VectorXd &tensions) const;
     /// k of each member.
     [[nodiscard]] const Eigen::VectorXd &stiffness() const { return stiffness_; }
-    [[nodiscard]] bool compression_only() const { return compression_only_; }
 
 private:
     [[nodiscard]] bool is_slack(Index member, double length) const {
