@@ -15,10 +15,15 @@ sys.path += LIBRARIES
 
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
+import dome as dome_example  # noqa: E402
+import roof as roof_example  # noqa: E402
 
+from documents import recompute  # noqa: E402
 from funicular import observer  # noqa: E402
 
 observer.start()
+
+EXAMPLES = {"dome": dome_example, "roof": roof_example}
 
 
 @pytest.fixture
@@ -44,3 +49,11 @@ def box(doc):
     made.Length, made.Width, made.Height = 8000, 6000, 3000
     doc.recompute()
     return made
+
+
+@pytest.fixture(params=EXAMPLES)
+def example(request, doc):
+    """The gridshell of each shipped example."""
+    shell = EXAMPLES[request.param].build(doc)
+    assert recompute(doc) == {}
+    return shell

@@ -18,15 +18,6 @@ from funicular.files import read_mesh
 from funicular.make import make_gridshell
 from funicular.picture import save_picture
 
-EXAMPLES = {"dome": dome_example, "roof": roof_example}
-
-
-@pytest.fixture(params=EXAMPLES)
-def example(request, doc):
-    shell = EXAMPLES[request.param].build(doc)
-    assert recompute(doc) == {}
-    return shell
-
 
 def test_export_is_the_relaxed_lattice_in_metres(example, tmp_path):
     example.Placement.Base = App.Vector(1000, 0, 0)
