@@ -33,6 +33,12 @@ public:
     /// \pre (row, column) was coupled.
     void add(Index row, Index column, const Matrix3 &block) { values_[find(row, column)] += block; }
 
+    /// Adds to the third row of a block: what moves a vertical force.
+    /// \pre (row, column) was coupled.
+    void add_vertical(Index row, Index column, const Vector3 &entries) {
+        values_[find(row, column)].row(2) += entries.transpose();
+    }
+
     [[nodiscard]] std::size_t block_count() const { return columns_.size(); }
     [[nodiscard]] std::span<const Index> columns(Index row) const;
     [[nodiscard]] const Matrix3 &block(Index row, Index column) const { return values_[find(row, column)]; }

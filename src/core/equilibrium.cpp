@@ -124,11 +124,35 @@ void Equilibrium::member_tangent(const Points &x, AxialForces::Regularisation re
         tangent.add(support.node, support.node, support.stiffness);
 }
 
-void Equilibrium::add_costs_of(const Equilibrium &other) {
-    for (std::size_t k = 0; k < costs_.size(); ++k) {
-        costs_[k].evaluations += other.costs_[k].evaluations;
-        costs_[k].seconds += other.costs_[k].seconds;
+void Equilibrium::linearise(const Points &x, AxialForces::Regularisation regularisation) {
+    timed(0, [&] { scene_->axial().linearise(x, regularisation, member_tangents_); });
+}
+
+void Equilibrium::tangent_product(const Points &x, const Points &motion, Points &product) {
+    product.setZero(motion.rows(), 3);
+    const auto &members = scene_->net().members();
+    for (std::size_t e = 0; e < members.size(); ++e) {
+        const auto [i, j] = members[e];
+        const Vector3 force = member_tangents_[e] * (motion.row(i) - motion.row(j)).transpose();
+        product.row(i) += force.transpose();
+        product.row(j) -= force.transpose();
     }
+    for (const auto &support : scene_->elastic_supports())
+        product.row(support.node) += (support.stiffness * motion.row(support.node).transpose()).transpose();
+    const auto &acting = scene_->acting();
+    for (std::size_t k = 0; k < acting.size(); ++k)
+        if (acting[k]->is_load())
+            timed(k, [&] { acting[k]->add_tangent_product(x, motion, product); });
+}
+
+void Equilibrium::add_costs(const std::map<std::string, Cost> &other) {
+    for (const auto &[name, cost] : other)
+        for (std::size_t k = 0; k < costs_.size(); ++k)
+            if (scene_->acting()[k]->name() == name) {
+                costs_[k].evaluations += cost.evaluations;
+                costs_[k].seconds += cost.seconds;
+                break;
+            }
 }
 
 std::map<std::string, Cost> Equilibrium::costs() const {

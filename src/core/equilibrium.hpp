@@ -57,11 +57,20 @@ public:
     void tangent(const Points &x, AxialForces::Regularisation regularisation, BlockMatrix &tangent);
     /// The symmetric part that members and elastic supports give.
     void member_tangent(const Points &x, AxialForces::Regularisation regularisation, BlockMatrix &tangent);
+    /// Keeps the members' part of the tangent at x for the products to come.
+    void linearise(const Points &x, AxialForces::Regularisation regularisation);
+    /// The tangent at x times a motion of the nodes, in the sense of `tangent`.
+    /// \pre linearise was called at x
+    void tangent_product(const Points &x, const Points &motion, Points &product);
+    /// The members' part that was kept.
+    [[nodiscard]] const std::vector<AxialForces::MemberTangent> &member_tangents() const {
+        return member_tangents_;
+    }
 
     /// By name of effect: only effects in the scene appear.
     [[nodiscard]] std::map<std::string, Cost> costs() const;
     /// Counts what another equilibrium of the same effects has cost as this one's.
-    void add_costs_of(const Equilibrium &other);
+    void add_costs(const std::map<std::string, Cost> &other);
 
 private:
     template <class Work>
@@ -73,6 +82,7 @@ private:
     Eigen::VectorXd nodal_stiffness_;
     Points forces_, loads_;
     Eigen::VectorXd residual_;
+    std::vector<AxialForces::MemberTangent> member_tangents_;
     double mean_nodal_load_ = 0;
     double relative_residual_ = 0;
     double significant_residual_ = 0;

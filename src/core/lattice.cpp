@@ -68,6 +68,8 @@ public:
             panels.add(corners);
     }
 
+    [[nodiscard]] std::vector<Index> take_points() { return std::move(points_); }
+
     std::vector<std::array<double, 2>> uv;
     std::vector<Member> members;
     Panels panels;
@@ -202,6 +204,7 @@ Lattice::Lattice(LatticeRecipe recipe) : recipe_(std::move(recipe)) {
         std::sort(corners_.begin(), corners_.end());
         corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
     }
+    points_ = grid.take_points();
 }
 
 std::shared_ptr<const Net> make_net(std::shared_ptr<const Lattice> lattice, Points nodes) {

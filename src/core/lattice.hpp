@@ -55,8 +55,16 @@ public:
     /// Nodes along each side that is neither closed nor a pole, in order of the other coordinate.
     [[nodiscard]] const std::map<Side, std::vector<Index>> &sides() const { return sides_; }
 
+    /// Node at lattice point (i, j), 0 <= i <= cells_u, 0 <= j <= cells_v; closed directions wrap and a pole
+    /// is the same node all along.
+    [[nodiscard]] Index node_at(Index i, Index j) const { return points_[j * (recipe_.cells_u + 1) + i]; }
+    /// Distinct lattice lines across u and across v: a closed direction has no last one.
+    [[nodiscard]] Index lines_u() const { return recipe_.cells_u + (recipe_.closed_u ? 0 : 1); }
+    [[nodiscard]] Index lines_v() const { return recipe_.cells_v + (recipe_.closed_v ? 0 : 1); }
+
 private:
     LatticeRecipe recipe_;
+    std::vector<Index> points_;
     Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> uv_;
     std::vector<Member> members_;
     Panels panels_;

@@ -28,9 +28,9 @@ std::uint64_t edge_key(Index a, Index b) {
     return (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint32_t>(high);
 }
 
-void check_node_number(Index node, Index node_count, const std::string &where) {
+void check_node_number(Index node, Index node_count, const char *argument, Index at) {
     if (node < 0 || node >= node_count)
-        throw InvalidInput(where + " refers to node " + std::to_string(node) +
+        throw InvalidInput(name_of(argument, at) + " refers to node " + std::to_string(node) +
                            ", but the net has nodes 0 to " + std::to_string(node_count - 1));
 }
 
@@ -49,8 +49,8 @@ void check_members(const std::vector<Member> &members, Index node_count) {
     edges.reserve(members.size());
     for (Index e = 0; e < static_cast<Index>(members.size()); ++e) {
         const auto [i, j] = members[e];
-        check_node_number(i, node_count, name_of("members", e));
-        check_node_number(j, node_count, name_of("members", e));
+        check_node_number(i, node_count, "members", e);
+        check_node_number(j, node_count, "members", e);
         if (i == j)
             throw InvalidInput(name_of("members", e) + " joins node " + std::to_string(i) +
                                " to itself: remove it");
@@ -76,7 +76,7 @@ void check_panels(const Panels &panels, Index node_count) {
             throw InvalidInput(name_of("panels", f) + " has " + std::to_string(corners.size()) +
                                " corners: a panel needs at least three");
         for (const Index node : corners) {
-            check_node_number(node, node_count, name_of("panels", f));
+            check_node_number(node, node_count, "panels", f);
             if (std::count(corners.begin(), corners.end(), node) > 1)
                 throw InvalidInput(name_of("panels", f) + " names node " + std::to_string(node) +
                                    " twice: list each corner once");

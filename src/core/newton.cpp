@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "newton.hpp"
 
+#include "multigrid.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +16,8 @@ constexpr double accepted_overshoot = 0.5;
 constexpr double hardly_fallen = 0.9;
 constexpr int most_trials = 60;
 constexpr double least_motion = 1e-16;
+// Below this relative residual the tangent holds everywhere.
+constexpr double residual_to_settle = 1e-3;
 
 // So many steps in a row, each shorter than this part of what Newton's method asked for, call for softer
 // members.
@@ -59,18 +63,35 @@ double stiffest_member(const Equilibrium &equilibrium) {
     return (scene.axial().stiffness().array() * lengths.array()).maxCoeff() * scene.scale().force;
 }
 
+// Fewer nodes are factorised in less time than a lattice is thinned out in.
+constexpr Index least_nodes_for_multigrid = 300;
+
+NewtonDirection direction_for(const Equilibrium &equilibrium, Newton::Linear linear) {
+    const Scene &scene = equilibrium.scene();
+    if (linear == Newton::Linear::on_lattice && scene.net().node_count() >= least_nodes_for_multigrid)
+        if (const auto levels = coarser_levels(scene); !levels.empty())
+            return NewtonDirection(std::make_unique<Multigrid>(scene, levels));
+    return NewtonDirection(equilibrium);
+}
+
 } // namespace
 
-double Newton::position_error(const Points &x, Equilibrium &equilibrium, const Goal & /*goal*/) {
+Newton::Newton(const Equilibrium &equilibrium, Linear linear)
+    : linear_(linear), direction_(direction_for(equilibrium, linear)), settling_(equilibrium.scene().net()) {}
+
+double Newton::position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) {
     while (softened_ && softened_->relative_residual() <= residual_of_stage)
         stiffen(x, equilibrium);
-    direction_.compute(x, softened_ ? *softened_ : equilibrium);
+    direction_.compute(x, softened_ ? *softened_ : equilibrium, goal);
     return !softened_ && direction_.is_newton_step() ? direction_.largest_motion()
                                                      : std::numeric_limits<double>::infinity();
 }
 
 Iteration::Move Newton::move(Points &x, Equilibrium &equilibrium) {
-    const double taken = search(x, softened_ ? *softened_ : equilibrium);
+    Equilibrium &stage = softened_ ? *softened_ : equilibrium;
+    const double taken = search(x, stage);
+    if (taken > 0 && stage.relative_residual() > residual_to_settle)
+        settling_.settle(x, stage, direction_.floor());
     if (softened_) {
         // A stage may have no equilibrium where the scene has one.
         if (taken == 0 || x.cwiseAbs().maxCoeff() > most_growth_of_stage) {
@@ -144,20 +165,23 @@ void Newton::soften(const Points &x, const Equilibrium &equilibrium) {
 }
 
 void Newton::stiffen(const Points &x, Equilibrium &equilibrium) {
-    equilibrium.add_costs_of(*softened_);
+    equilibrium.add_costs(softened_->costs());
     softened_.reset();
     stiffness_limit_ *= stage_ratio_;
     stage_ratio_ = std::min(stage_ratio_ * stage_ratio_, largest_stage_ratio);
     if (stiffness_limit_ < stiffest_member(equilibrium))
         enter_stage(x, equilibrium);
-    else
+    else {
+        direction_ = direction_for(equilibrium, linear_);
         equilibrium.evaluate(x);
+    }
 }
 
 void Newton::enter_stage(const Points &x, const Equilibrium &equilibrium) {
     softened_ = std::make_unique<Equilibrium>(
         std::make_shared<const Scene>(equilibrium.scene().with_stiffness_up_to(stiffness_limit_)));
     softened_->evaluate(x);
+    direction_ = direction_for(*softened_, linear_);
     start_of_stage_ = x;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "local_settling.hpp"
 #include "method.hpp"
 #include "newton_direction.hpp"
 
@@ -20,7 +21,12 @@ namespace funicular {
 /// each time.
 class Newton final : public Iteration {
 public:
-    explicit Newton(const Equilibrium &equilibrium) : direction_(equilibrium) {}
+    /// How the linear equations of a step are solved.
+    enum class Linear {
+        by_factor,
+        on_lattice ///< by multigrid, where the net was made on a lattice that allows it
+    };
+    Newton(const Equilibrium &equilibrium, Linear linear);
 
     /// The largest node's motion in the Newton step from x; infinite if that step could not be had.
     [[nodiscard]] double position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) override;
@@ -34,7 +40,9 @@ private:
     void stiffen(const Points &x, Equilibrium &equilibrium);
     void enter_stage(const Points &x, const Equilibrium &equilibrium);
 
+    Linear linear_;
     NewtonDirection direction_;
+    LocalSettling settling_;
     Points start_, start_of_stage_;
     /// Largest motion of a node in one step, in the scene's own units; grows while steps fall short.
     double reach_ = 0.1;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "newton_direction.hpp"
 
-#include <Eigen/IterativeLinearSolvers>
+#include "kept_factor.hpp"
+
 #include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace funicular {
 
@@ -16,15 +18,22 @@ namespace {
 // Newton's method keeps its order.
 constexpr double notional_pull = 0.1;
 constexpr double least_pull = 1e-10;
-// What holds a net that its supports let slide or turn as a whole, as part of the notional pull. Small enough
-// not to bend the smooth modes of a net of a thousand members across.
-constexpr double notional_ground = 1e-6;
 
 // Near equilibrium the negative stiffness of members that push belongs into the tangent; farther off it leads
 // astray.
 constexpr double near_equilibrium = 0.1;
 // Below this residual a failed iteration is worth a direct factorisation of the unsymmetric tangent.
 constexpr double close_to_equilibrium = 1e-3;
+
+constexpr double most_of_residual = 0.1;
+constexpr double aim = 0.3;
+constexpr double finest_accuracy = 1e-6;
+constexpr double coarsest_accuracy = 0.03;
+
+constexpr int most_cycles = 40;
+constexpr int most_with_kept_factor = 15;
+constexpr int most_with_new_factor = 60;
+constexpr int most_to_keep_factor = 8;
 
 double notional_force_density(const Equilibrium &equilibrium) {
     const Scene &scene = equilibrium.scene();
@@ -35,98 +44,100 @@ double notional_force_density(const Equilibrium &equilibrium) {
     return notional_pull * part * (whole_load > 0 ? whole_load / size : scene.axial().stiffness().mean());
 }
 
-/// Lets an iterative solver of Eigen's use a factorisation as its preconditioner.
-class Preconditioner {
-public:
-    void use(const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> &factor) { factor_ = &factor; }
-    template <class Matrix>
-    Preconditioner &analyzePattern(const Matrix & /*matrix*/) {
-        return *this;
-    }
-    template <class Matrix>
-    Preconditioner &factorize(const Matrix & /*matrix*/) {
-        return *this;
-    }
-    template <class Matrix>
-    Preconditioner &compute(const Matrix & /*matrix*/) {
-        return *this;
-    }
-    template <class Vector>
-    [[nodiscard]] Eigen::VectorXd solve(const Vector &right) const {
-        return factor_->solve(right);
-    }
-    [[nodiscard]] static Eigen::ComputationInfo info() { return Eigen::Success; }
-
-private:
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> *factor_ = nullptr;
-};
+/// How exactly to solve for a step, as part of the residual: no better than the step itself can be, as the
+/// tangent changes along it, nor than the goal asks for.
+double wished_accuracy(double relative, double tolerance) {
+    return std::clamp(std::max(most_of_residual * relative, aim * tolerance / relative), finest_accuracy,
+                      coarsest_accuracy);
+}
 
 } // namespace
 
 NewtonDirection::NewtonDirection(const Equilibrium &equilibrium)
-    : member_blocks_(equilibrium.member_coupling()), full_blocks_(equilibrium.coupling()),
-      motion_(equilibrium.scene().net().node_count(), 3) {}
+    : preconditioner_(std::make_unique<KeptFactor>(equilibrium)), is_factor_(true) {}
 
-void NewtonDirection::compute(const Points &x, Equilibrium &equilibrium) {
+NewtonDirection::NewtonDirection(std::unique_ptr<Preconditioner> preconditioner)
+    : preconditioner_(std::move(preconditioner)), is_factor_(false) {}
+
+void NewtonDirection::compute(const Points &x, Equilibrium &equilibrium, const Goal &goal) {
     const Eigen::VectorXd &residual = equilibrium.residual();
     const double floor = notional_force_density(equilibrium);
-    // Positive definite in exact arithmetic; rounding may ask for a larger pull in the factor, which only
-    // preconditions.
+    floor_ = floor;
+    const double accuracy = wished_accuracy(equilibrium.relative_residual(), goal.tolerance);
     is_newton_step_ = false;
-    direction_.setZero(residual.size());
-    double pull = floor;
-    for (int attempt = 0; attempt < 12; ++attempt, pull *= 100)
-        if (factorise(x, equilibrium, pull)) {
-            direction_ = factor_.solve(residual);
-            is_newton_step_ = solve_full_tangent(x, equilibrium, floor);
-            break;
+    if (!is_factor_) {
+        equilibrium.linearise(x, {.floor = floor, .convex = true});
+        is_newton_step_ = preconditioner_->prepare(x, equilibrium, floor) &&
+                          iterate(x, equilibrium, floor, accuracy, most_cycles);
+        if (!is_newton_step_) {
+            preconditioner_ = std::make_unique<KeptFactor>(equilibrium);
+            is_factor_ = true;
         }
-
+    }
+    if (is_factor_) {
+        if (!is_stale_)
+            is_newton_step_ = iterate(x, equilibrium, floor, accuracy, most_with_kept_factor);
+        if (!is_newton_step_) {
+            direction_.setZero(residual.size());
+            if (prepare_factor(x, equilibrium, floor))
+                is_newton_step_ = iterate(x, equilibrium, floor, accuracy, most_with_new_factor);
+            if (!is_newton_step_ && equilibrium.relative_residual() < close_to_equilibrium)
+                is_newton_step_ = solve_directly(x, equilibrium, floor);
+            if (!is_newton_step_)
+                preconditioner_->apply(residual, direction_);
+        }
+        is_stale_ = !is_newton_step_ || progress_.iterations > most_to_keep_factor;
+    }
     equilibrium.scene().freedoms().expand(direction_, motion_);
     largest_motion_ = motion_.rowwise().norm().maxCoeff();
 }
 
-bool NewtonDirection::factorise(const Points &x, Equilibrium &equilibrium, double floor) {
-    equilibrium.member_tangent(x, {.floor = floor, .convex = true}, member_blocks_);
-    // Symmetric, so that column-major storage holds the matrix itself.
-    member_blocks_.reduce(equilibrium.scene().freedoms(), member_tangent_);
-    for (Index unknown = 0; unknown < member_tangent_.rows(); ++unknown)
-        member_tangent_.coeffRef(unknown, unknown) += notional_ground * floor;
-    if (!analysed_) {
-        factor_.analyzePattern(member_tangent_);
-        analysed_ = true;
+/// Positive definite in exact arithmetic; rounding may ask for a larger pull in the factor, which only
+/// preconditions.
+bool NewtonDirection::prepare_factor(const Points &x, Equilibrium &equilibrium, double floor) {
+    double pull = floor;
+    for (int attempt = 0; attempt < 12; ++attempt, pull *= 100) {
+        equilibrium.linearise(x, {.floor = pull, .convex = true});
+        if (preconditioner_->prepare(x, equilibrium, pull))
+            return true;
     }
-    factor_.factorize(member_tangent_);
-    return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).all();
+    return false;
 }
 
-bool NewtonDirection::solve_full_tangent(const Points &x, Equilibrium &equilibrium, double floor) {
+bool NewtonDirection::iterate(const Points &x, Equilibrium &equilibrium, double floor, double accuracy,
+                              int most_iterations) {
+    const Freedoms &freedoms = equilibrium.scene().freedoms();
     const Eigen::VectorXd &residual = equilibrium.residual();
-    const double relative = equilibrium.relative_residual();
-    equilibrium.tangent(x, {.floor = floor, .convex = relative > near_equilibrium}, full_blocks_);
-    full_blocks_.reduce(equilibrium.scene().freedoms(), full_tangent_);
-
-    Eigen::BiCGSTAB<Eigen::SparseMatrix<double, Eigen::RowMajor>, Preconditioner> iteration;
-    iteration.preconditioner().use(factor_);
-    iteration.setTolerance(std::clamp(0.1 * relative, 1e-9, 1e-2));
-    iteration.setMaxIterations(60);
-    iteration.compute(full_tangent_);
-    Eigen::VectorXd full = iteration.solveWithGuess(residual, direction_);
-    bool solved = iteration.info() == Eigen::Success && full.allFinite();
-    if (!solved && relative < close_to_equilibrium) {
-        Eigen::SparseLU<Eigen::SparseMatrix<double>> direct(full_tangent_);
-        if (direct.info() == Eigen::Success) {
-            full = direct.solve(residual);
-            solved = direct.info() == Eigen::Success && full.allFinite();
-        }
-    }
-    if (!solved)
-        return false;
+    equilibrium.linearise(x, {.floor = floor, .convex = equilibrium.relative_residual() > near_equilibrium});
+    direction_.setZero(residual.size());
+    progress_ = conjugate_residuals_.solve(
+        [&](const Eigen::VectorXd &unknowns, Eigen::VectorXd &image) {
+            motion_.resize(equilibrium.scene().net().node_count(), 3);
+            freedoms.expand(unknowns, motion_);
+            equilibrium.tangent_product(x, motion_, product_);
+            freedoms.reduce(product_, image);
+        },
+        [&](const Eigen::VectorXd &unbalanced, Eigen::VectorXd &motion) {
+            preconditioner_->apply(unbalanced, motion);
+        },
+        residual, accuracy, most_iterations, direction_);
     // Beyond the limit of existence, or at a saddle, the full tangent points downhill.
-    if (residual.dot(full) <= 0 && residual.squaredNorm() > 0)
+    return progress_.residual <= accuracy && direction_.allFinite() &&
+           (residual.dot(direction_) > 0 || residual.squaredNorm() == 0);
+}
+
+bool NewtonDirection::solve_directly(const Points &x, Equilibrium &equilibrium, double floor) {
+    const Eigen::VectorXd &residual = equilibrium.residual();
+    BlockMatrix blocks(equilibrium.coupling());
+    equilibrium.tangent(x, {.floor = floor, .convex = false}, blocks);
+    // A column-major result would be the transpose.
+    Eigen::SparseMatrix<double, Eigen::RowMajor> tangent;
+    blocks.reduce(equilibrium.scene().freedoms(), tangent);
+    Eigen::SparseLU<Eigen::SparseMatrix<double>> direct(tangent);
+    if (direct.info() != Eigen::Success)
         return false;
-    direction_ = full;
-    return true;
+    direction_ = direct.solve(residual);
+    return direct.info() == Eigen::Success && direction_.allFinite() && residual.dot(direction_) > 0;
 }
 
 } // namespace funicular

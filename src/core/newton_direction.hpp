@@ -1,26 +1,33 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "block_matrix.hpp"
 #include "equilibrium.hpp"
+#include "krylov.hpp"
+#include "method.hpp"
+#include "preconditioner.hpp"
 
-#include <Eigen/SparseCholesky>
+#include <memory>
 
 namespace funicular {
 
 /// The Newton step d of K d = r, K the tangent stiffness with the loads' own dependence on the shape.
 ///
 /// K is not symmetric, because heavier follows from longer and larger. Its part from the members, made
-/// positive definite by a notional pull, is factorised (LDLᵀ); the rest is a small disturbance that an
-/// iteration preconditioned by that factor (BiCGSTAB) takes care of in a few steps.
+/// positive definite by a notional pull, is what the preconditioner is made for; conjugate residuals on K
+/// itself do the rest.
 class NewtonDirection {
 public:
+    /// Factorises.
     explicit NewtonDirection(const Equilibrium &equilibrium);
+    /// Uses this preconditioner for as long as it serves, and factorises then.
+    explicit NewtonDirection(std::unique_ptr<Preconditioner> preconditioner);
 
-    /// Computes d at x, where the equilibrium was evaluated. With d, r·d > 0: the residual does work along
-    /// it.
-    void compute(const Points &x, Equilibrium &equilibrium);
+    /// Computes d at x, where the equilibrium was evaluated, as exactly as the goal calls for. With d, r·d >
+    /// 0: the residual does work along it.
+    void compute(const Points &x, Equilibrium &equilibrium, const Goal &goal);
 
+    /// The notional pull per length that members were under at least.
+    [[nodiscard]] double floor() const { return floor_; }
     /// Along the free directions.
     [[nodiscard]] const Eigen::VectorXd &unknowns() const { return direction_; }
     /// As motion of the nodes.
@@ -32,16 +39,20 @@ public:
     [[nodiscard]] bool is_newton_step() const { return is_newton_step_; }
 
 private:
-    bool factorise(const Points &x, Equilibrium &equilibrium, double floor);
-    bool solve_full_tangent(const Points &x, Equilibrium &equilibrium, double floor);
+    bool prepare_factor(const Points &x, Equilibrium &equilibrium, double floor);
+    bool iterate(const Points &x, Equilibrium &equilibrium, double floor, double accuracy,
+                 int most_iterations);
+    bool solve_directly(const Points &x, Equilibrium &equilibrium, double floor);
 
-    BlockMatrix member_blocks_, full_blocks_;
-    Eigen::SparseMatrix<double> member_tangent_;
-    Eigen::SparseMatrix<double, Eigen::RowMajor> full_tangent_;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
-    bool analysed_ = false;
+    std::unique_ptr<Preconditioner> preconditioner_;
+    bool is_factor_;
+    /// Whether a factor has served its time.
+    bool is_stale_ = true;
+    ConjugateResiduals conjugate_residuals_;
+    LinearProgress progress_;
     Eigen::VectorXd direction_;
-    Points motion_;
+    Points motion_, product_;
+    double floor_ = 0;
     double largest_motion_ = 0;
     bool is_newton_step_ = false;
 };

@@ -29,7 +29,7 @@ double Relaxation::position_error(const Points &x, Equilibrium &equilibrium, con
     since_check_ = 0;
     if (!direction_)
         direction_ = std::make_unique<NewtonDirection>(equilibrium);
-    direction_->compute(x, equilibrium);
+    direction_->compute(x, equilibrium, goal);
     next_check_ = equilibrium.relative_residual() / 2;
     return direction_->is_newton_step() ? direction_->largest_motion() : unknown;
 }

@@ -111,14 +111,7 @@ Scene::Scene(std::shared_ptr<const Net> net, std::vector<Support> supports,
     if (!axial_)
         throw InvalidInput("effects: AxialStiffness is missing; members without stiffness cannot carry");
 
-    const Points anchors = scale_.to_local(net_->nodes());
-    for (const Support &support : supports_) {
-        if (std::isinf(support.stiffness) || support.stiffness == 0)
-            continue;
-        const Matrix3 stiffness = support.stiffness * scale_.length / scale_.force * held_directions(support);
-        for (const Index node : support.nodes)
-            elastic_supports_.push_back({node, stiffness, anchors.row(node).transpose()});
-    }
+    elastic_supports_ = elastic_supports_of(*net_, supports_, scale_);
 }
 
 Scene Scene::with_stiffness_up_to(double most) const {
@@ -135,6 +128,15 @@ Scene Scene::with_stiffness_up_to(double most) const {
             }
         }
     return {net_, supports_, effects, rest_lengths_};
+}
+
+Points Scene::on_supports(const Points &local) const {
+    const Points anchors = scale_.to_local(net_->nodes());
+    Eigen::VectorXd along_freedoms;
+    freedoms_.reduce(local - anchors, along_freedoms);
+    Points motion(local.rows(), 3);
+    freedoms_.expand(along_freedoms, motion);
+    return anchors + motion;
 }
 
 } // namespace funicular

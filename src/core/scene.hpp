@@ -41,6 +41,9 @@ public:
     /// The same scene with no member stiffer than k r = `most` [N], r its rest length.
     [[nodiscard]] Scene with_stiffness_up_to(double most) const;
 
+    /// Moves supported nodes to where their supports let them be; in the scene's own units.
+    [[nodiscard]] Points on_supports(const Points &local) const;
+
     // For the solver, in the scene's own units.
     [[nodiscard]] const Scale &scale() const { return scale_; }
     [[nodiscard]] const Freedoms &freedoms() const { return freedoms_; }

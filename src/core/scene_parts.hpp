@@ -37,6 +37,8 @@ struct AxialStiffness {
 /// wL [kg/m]: each end of a member carries half of the weight of its present length (paper section 3.3).
 struct MemberWeight {
     double per_length = 0;
+    /// How many members each one stands for; one if not given.
+    Eigen::VectorXd lines = {};
 };
 
 /// How a panel's weight is shared among its corners.

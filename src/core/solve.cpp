@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solve.hpp"
 
+#include "coarse_start.hpp"
 #include "errors.hpp"
 #include "newton.hpp"
 #include "relaxation.hpp"
@@ -49,17 +50,6 @@ void check(const Scene &scene, const SolveOptions &options) {
             throw InvalidInput("start[" + std::to_string(i) + "] is not finite");
 }
 
-/// Moves supported nodes to where their supports let them be.
-Points on_supports(const Scene &scene, const Points &local) {
-    const Points anchors = scene.scale().to_local(scene.net().nodes());
-    const Points from_anchors = local - anchors;
-    Eigen::VectorXd along_freedoms;
-    scene.freedoms().reduce(from_anchors, along_freedoms);
-    Points motion(local.rows(), 3);
-    scene.freedoms().expand(along_freedoms, motion);
-    return anchors + motion;
-}
-
 Points reactions_at(const Points &x, const Equilibrium &equilibrium) {
     const Scene &scene = equilibrium.scene();
     Points balanced(x.rows(), 3);
@@ -82,12 +72,14 @@ Solver::Solver(std::shared_ptr<const Scene> scene, SolveOptions options)
         throw InvalidInput("scene is missing: give a Scene");
     check(*scene_, options_);
     begin(scene_->scale().to_local(options_.start ? *options_.start : scene_->net().nodes()));
+    if (options_.method == Method::automatic && !options_.start && scene_->net().lattice())
+        iteration_ = std::make_unique<CoarseToFine>(*equilibrium_);
 }
 
 void Solver::begin(const Points &local_start) {
     goal_ = {.tolerance = options_.tolerance, .accuracy = options_.accuracy / scene_->scale().length};
     equilibrium_ = std::make_unique<Equilibrium>(scene_);
-    x_ = on_supports(*scene_, local_start);
+    x_ = scene_->on_supports(local_start);
     extent_ = std::max(x_.cwiseAbs().maxCoeff(), scene_->net().size() / scene_->scale().length);
     equilibrium_->evaluate(x_);
     report_ = {};
@@ -106,7 +98,9 @@ void Solver::use(Method method) {
     if (method == Method::relaxation)
         iteration_ = std::make_unique<Relaxation>(*equilibrium_);
     else
-        iteration_ = std::make_unique<Newton>(*equilibrium_);
+        iteration_ = std::make_unique<Newton>(*equilibrium_, options_.method == Method::automatic
+                                                                 ? Newton::Linear::on_lattice
+                                                                 : Newton::Linear::by_factor);
 }
 
 void Solver::replace(std::shared_ptr<const Scene> scene) {

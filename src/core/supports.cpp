@@ -132,6 +132,20 @@ void Freedoms::expand(const Eigen::VectorXd &unknowns, Points &vectors) const {
     }
 }
 
+std::vector<ElasticSupport> elastic_supports_of(const Net &net, const std::vector<Support> &supports,
+                                                const Scale &scale) {
+    std::vector<ElasticSupport> elastic;
+    for (const Support &support : supports) {
+        if (std::isinf(support.stiffness) || support.stiffness == 0)
+            continue;
+        const Matrix3 stiffness = support.stiffness * scale.length / scale.force * held_directions(support);
+        for (const Index node : support.nodes)
+            elastic.push_back(
+                {node, stiffness, (net.nodes().row(node).transpose() - scale.origin) / scale.length});
+    }
+    return elastic;
+}
+
 void check_every_component_is_held(const Net &net, const std::vector<Support> &supports,
                                    const Freedoms &freedoms) {
     const auto component_of = components(net);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "net.hpp"
+#include "scale.hpp"
 #include "scene_parts.hpp"
 
 #include <vector>
@@ -25,6 +26,18 @@ public:
     /// The first count(node) columns are the orthonormal directions that a node is free in.
     [[nodiscard]] const Matrix3 &basis(Index node) const { return bases_[basis_of_[node]]; }
 
+    /// What is left of a vector on a node along the directions that the node is free in.
+    template <class Vector>
+    [[nodiscard]] Vector project(Index node, const Vector &vector) const {
+        const Index free = count(node);
+        if (free == 3)
+            return vector;
+        if (free == 0)
+            return Vector::Zero();
+        const auto directions = basis(node).leftCols(free).cast<typename Vector::Scalar>();
+        return directions * (directions.transpose() * vector);
+    }
+
     /// Components of nodal vectors along the free directions.
     void reduce(const Points &vectors, Eigen::VectorXd &unknowns) const;
     /// The nodal vectors that have these components along the free directions and none along others.
@@ -45,6 +58,10 @@ struct ElasticSupport {
     Matrix3 stiffness;
     Vector3 anchor;
 };
+
+/// The supports that yield.
+[[nodiscard]] std::vector<ElasticSupport>
+elastic_supports_of(const Net &net, const std::vector<Support> &supports, const Scale &scale);
 
 /// \throws InvalidInput if a connected part of the net has no support, or nothing that holds it vertically,
 /// or if a node without members is left free to move.

@@ -37,17 +37,22 @@ AxialForces::AxialForces(const Net &net, const AxialStiffness &description,
     }
 }
 
+Vector3 AxialForces::pull(Index member, const Points &x) const {
+    const auto [i, j] = net_.members()[member];
+    const Vector3 along = (x.row(j) - x.row(i)).transpose();
+    const double length = along.norm();
+    // Ends that coincide give the pull no direction, and so no force.
+    if (is_slack(member, length) || length == 0)
+        return Vector3::Zero();
+    return (stiffness_[member] * (length - rest_lengths_[member]) / length) * along;
+}
+
 void AxialForces::add_forces(const Points &x, Points &forces) const {
     for (Index e = 0; e < net_.member_count(); ++e) {
         const auto [i, j] = net_.members()[e];
-        const Vector3 along = (x.row(j) - x.row(i)).transpose();
-        const double length = along.norm();
-        // Ends that coincide give the pull no direction, and so no force.
-        if (is_slack(e, length) || length == 0)
-            continue;
-        const Vector3 pull = (stiffness_[e] * (length - rest_lengths_[e]) / length) * along;
-        forces.row(i) += pull.transpose();
-        forces.row(j) -= pull.transpose();
+        const Vector3 force = pull(e, x);
+        forces.row(i) += force.transpose();
+        forces.row(j) -= force.transpose();
     }
 }
 
@@ -56,29 +61,50 @@ void AxialForces::couple(Coupling &coupling) const {
         coupling.add(member);
 }
 
-void AxialForces::add_tangent(const Points &x, Regularisation regularisation, BlockMatrix &tangent) const {
+AxialForces::MemberTangent AxialForces::tangent(Index member, const Points &x,
+                                                Regularisation regularisation) const {
+    const auto [i, j] = net_.members()[member];
+    const Vector3 along = (x.row(j) - x.row(i)).transpose();
+    const double length = along.norm();
+    const double k = stiffness_[member];
+    const bool carries = !is_slack(member, length);
+    // A member of no length and no rest length is a spring that pulls alike in every direction.
+    if (carries && length == 0)
+        return {.direction = Vector3::Zero(), .along = 0, .around = k};
+    double sideways = carries ? k * (length - rest_lengths_[member]) / length : 0;
+    if ((regularisation.convex ? sideways : std::abs(sideways)) < regularisation.floor)
+        sideways = regularisation.floor;
+    if (!carries)
+        return {.direction = Vector3::Zero(), .along = 0, .around = sideways};
+    return {.direction = along / length, .along = k - sideways, .around = sideways};
+}
+
+void AxialForces::add_tangent(const Points &x, Regularisation regularisation, BlockMatrix &tangents) const {
     for (Index e = 0; e < net_.member_count(); ++e) {
         const auto [i, j] = net_.members()[e];
-        const Vector3 along = (x.row(j) - x.row(i)).transpose();
-        const double length = along.norm();
-        const bool carries = !is_slack(e, length);
-        double sideways = carries && length > 0 ? stiffness_[e] * (length - rest_lengths_[e]) / length : 0;
-        if ((regularisation.convex ? sideways : std::abs(sideways)) < regularisation.floor)
-            sideways = regularisation.floor;
-        // ∂(T d)/∂x = k d dᵀ + (T / l) (I - d dᵀ)
-        Matrix3 block = sideways * Matrix3::Identity();
-        if (carries && length > 0) {
-            const Vector3 direction = along / length;
-            block += (stiffness_[e] - sideways) * direction * direction.transpose();
-        } else if (carries) {
-            // A member of no length and no rest length is a spring that pulls alike in every direction.
-            block = stiffness_[e] * Matrix3::Identity();
-        }
-        tangent.add(i, i, block);
-        tangent.add(j, j, block);
-        tangent.add(i, j, -block);
-        tangent.add(j, i, -block);
+        const Matrix3 block = tangent(e, x, regularisation).block();
+        tangents.add(i, i, block);
+        tangents.add(j, j, block);
+        tangents.add(i, j, -block);
+        tangents.add(j, i, -block);
     }
+}
+
+void AxialForces::add_tangent_product(const Points &x, const Points &motion, Points &product) const {
+    for (Index e = 0; e < net_.member_count(); ++e) {
+        const auto [i, j] = net_.members()[e];
+        const Vector3 force =
+            tangent(e, x, {.floor = 0, .convex = false}) * (motion.row(i) - motion.row(j)).transpose();
+        product.row(i) += force.transpose();
+        product.row(j) -= force.transpose();
+    }
+}
+
+void AxialForces::linearise(const Points &x, Regularisation regularisation,
+                            std::vector<MemberTangent> &tangents) const {
+    tangents.resize(net_.member_count());
+    for (Index e = 0; e < net_.member_count(); ++e)
+        tangents[e] = tangent(e, x, regularisation);
 }
 
 void AxialForces::tensions(const Points &x, Eigen::VectorXd &tensions) const {

@@ -6,6 +6,8 @@
 #include "scale.hpp"
 #include "scene_parts.hpp"
 
+#include <vector>
+
 namespace funicular {
 
 /// Pull of the members: T_e = k_e (l_e - r_e), and never below zero if compression-only.
@@ -29,6 +31,21 @@ public:
         add_tangent(x, {.floor = 0, .convex = false}, tangent);
     }
 
+    void add_tangent_product(const Points &x, const Points &motion, Points &product) const override;
+
+    /// What a small motion of its ends makes of a member's pull: k d dᵀ + (T / l) (I - d dᵀ), kept as
+    /// `around` I + `along` d dᵀ.
+    struct MemberTangent {
+        Vector3 direction;
+        double along;
+        double around;
+        [[nodiscard]] Vector3 operator*(const Vector3 &stretch) const {
+            return around * stretch + (along * direction.dot(stretch)) * direction;
+        }
+        [[nodiscard]] Matrix3 block() const {
+            return around * Matrix3::Identity() + along * direction * direction.transpose();
+        }
+    };
     /// What to add where members give a node no stiffness: as if each were under a small notional pull.
     struct Regularisation {
         /// Least force density T / l of a member's sideways stiffness.
@@ -37,11 +54,18 @@ public:
         bool convex = true;
     };
     void add_tangent(const Points &x, Regularisation regularisation, BlockMatrix &tangent) const;
+    [[nodiscard]] MemberTangent tangent(Index member, const Points &x, Regularisation regularisation) const;
+    /// The pull of a member on its first end.
+    [[nodiscard]] Vector3 pull(Index member, const Points &x) const;
+    /// The same, member by member.
+    void linearise(const Points &x, Regularisation regularisation,
+                   std::vector<MemberTangent> &tangents) const;
 
     /// T of each member.
     void tensions(const Points &x, Eigen::VectorXd &tensions) const;
     /// k of each member.
     [[nodiscard]] const Eigen::VectorXd &stiffness() const { return stiffness_; }
+    [[nodiscard]] bool is_compression_only() const { return compression_only_; }
 
 private:
     [[nodiscard]] bool is_slack(Index member, double length) const {

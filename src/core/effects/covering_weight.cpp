@@ -33,18 +33,28 @@ void CoveringLoads::couple(Coupling &coupling) const {
         coupling.add(net_.panels()[f]);
 }
 
-void CoveringLoads::add_tangent(const Points &x, BlockMatrix &tangent) const {
+template <class Add>
+void CoveringLoads::differentiate(const Points &x, const Add &add) const {
     CornerAreas corner_areas(share_);
-    Matrix3 block = Matrix3::Zero();
     for (Index f = 0; f < net_.panels().size(); ++f) {
         const auto corners = net_.panels()[f];
         const auto &gradients = corner_areas.gradients(x, corners);
         for (std::size_t k = 0; k < corners.size(); ++k)
-            for (std::size_t m = 0; m < corners.size(); ++m) {
-                block.row(2) = -weight_ * gradients[k * corners.size() + m].transpose();
-                tangent.add(corners[k], corners[m], block);
-            }
+            for (std::size_t m = 0; m < corners.size(); ++m)
+                add(corners[k], corners[m], weight_ * gradients[k * corners.size() + m]);
     }
+}
+
+void CoveringLoads::add_tangent(const Points &x, BlockMatrix &tangent) const {
+    differentiate(x, [&tangent](Index node, Index by, const Vector3 &gradient) {
+        tangent.add_vertical(node, by, -gradient);
+    });
+}
+
+void CoveringLoads::add_tangent_product(const Points &x, const Points &motion, Points &product) const {
+    differentiate(x, [&motion, &product](Index node, Index by, const Vector3 &gradient) {
+        product(node, 2) -= gradient.dot(motion.row(by));
+    });
 }
 
 } // namespace funicular

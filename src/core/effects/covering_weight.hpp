@@ -18,8 +18,13 @@ public:
     void add_forces(const Points &x, Points &forces) const override;
     void couple(Coupling &coupling) const override;
     void add_tangent(const Points &x, BlockMatrix &tangent) const override;
+    void add_tangent_product(const Points &x, const Points &motion, Points &product) const override;
 
 private:
+    /// Calls add(node, by, gradient) for each derivative of a node's upward load by the place of another.
+    template <class Add>
+    void differentiate(const Points &x, const Add &add) const;
+
     const Net &net_;
     CornerShare share_;
     double weight_; ///< per area

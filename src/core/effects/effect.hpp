@@ -27,6 +27,9 @@ public:
     virtual void couple(Coupling &coupling) const = 0;
     /// Adds minus the derivative of the forces by the positions. It need not be symmetric.
     virtual void add_tangent(const Points &x, BlockMatrix &tangent) const = 0;
+    /// Adds minus what a small motion of the nodes makes of the forces: the tangent times the motion, of
+    /// which no matrix is made.
+    virtual void add_tangent_product(const Points &x, const Points &motion, Points &product) const = 0;
 };
 
 } // namespace funicular

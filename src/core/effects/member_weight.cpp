@@ -8,14 +8,16 @@
 namespace funicular {
 
 MemberLoads::MemberLoads(const Net &net, const MemberWeight &description, const Scale &scale)
-    : net_(net), half_weight_(standard_gravity * description.per_length * scale.length / scale.force / 2) {
+    : net_(net), half_weight_(standard_gravity * description.per_length * scale.length / scale.force / 2),
+      lines_(description.lines) {
     if (!(description.per_length >= 0) || !std::isfinite(description.per_length))
         throw InvalidInput("MemberWeight: weight must be zero or positive and finite, in kg/m");
 }
 
 void MemberLoads::add_forces(const Points &x, Points &forces) const {
-    for (const auto &[i, j] : net_.members()) {
-        const double load = half_weight_ * (x.row(j) - x.row(i)).norm();
+    for (std::size_t e = 0; e < net_.members().size(); ++e) {
+        const auto [i, j] = net_.members()[e];
+        const double load = half_weight(e) * (x.row(j) - x.row(i)).norm();
         forces(i, 2) += load;
         forces(j, 2) += load;
     }
@@ -26,19 +28,32 @@ void MemberLoads::couple(Coupling &coupling) const {
         coupling.add(member);
 }
 
-void MemberLoads::add_tangent(const Points &x, BlockMatrix &tangent) const {
-    for (const auto &[i, j] : net_.members()) {
+template <class Add>
+void MemberLoads::differentiate(const Points &x, const Add &add) const {
+    for (std::size_t e = 0; e < net_.members().size(); ++e) {
+        const auto [i, j] = net_.members()[e];
         const Vector3 along = (x.row(j) - x.row(i)).transpose();
         const double length = along.norm();
         if (length == 0)
             continue;
-        Matrix3 block = Matrix3::Zero();
-        block.row(2) = half_weight_ / length * along.transpose();
+        const Vector3 by_far_end = half_weight(e) / length * along;
         for (const Index end : {i, j}) {
-            tangent.add(end, i, block);
-            tangent.add(end, j, -block);
+            add(end, j, by_far_end);
+            add(end, i, -by_far_end);
         }
     }
+}
+
+void MemberLoads::add_tangent(const Points &x, BlockMatrix &tangent) const {
+    differentiate(x, [&tangent](Index node, Index by, const Vector3 &gradient) {
+        tangent.add_vertical(node, by, -gradient);
+    });
+}
+
+void MemberLoads::add_tangent_product(const Points &x, const Points &motion, Points &product) const {
+    differentiate(x, [&motion, &product](Index node, Index by, const Vector3 &gradient) {
+        product(node, 2) -= gradient.dot(motion.row(by));
+    });
 }
 
 } // namespace funicular

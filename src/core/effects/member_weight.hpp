@@ -18,10 +18,19 @@ public:
     void add_forces(const Points &x, Points &forces) const override;
     void couple(Coupling &coupling) const override;
     void add_tangent(const Points &x, BlockMatrix &tangent) const override;
+    void add_tangent_product(const Points &x, const Points &motion, Points &product) const override;
 
 private:
+    [[nodiscard]] double half_weight(std::size_t member) const {
+        return lines_.size() == 0 ? half_weight_ : half_weight_ * lines_[static_cast<Index>(member)];
+    }
+    /// Calls add(node, by, gradient) for each derivative of a node's upward load by the place of another.
+    template <class Add>
+    void differentiate(const Points &x, const Add &add) const;
+
     const Net &net_;
     double half_weight_;
+    Eigen::VectorXd lines_;
 };
 
 } // namespace funicular

@@ -20,6 +20,8 @@ public:
     void add_forces(const Points &x, Points &forces) const override;
     void couple(Coupling & /*coupling*/) const override {}
     void add_tangent(const Points & /*x*/, BlockMatrix & /*tangent*/) const override {}
+    void add_tangent_product(const Points & /*x*/, const Points & /*motion*/,
+                             Points & /*product*/) const override {}
 
 private:
     std::vector<Index> nodes_;

@@ -89,9 +89,10 @@ void SnowLoads::couple(Coupling &coupling) const {
         coupling.add(net_.panels()[f]);
 }
 
-void SnowLoads::add_tangent(const Points &x, BlockMatrix &tangent) const {
+template <class Add>
+void SnowLoads::differentiate(const Points &x, const Add &add) const {
     Plan plan;
-    Matrix3 block = Matrix3::Zero();
+    Vector3 gradient = Vector3::Zero();
     for (Index f = 0; f < net_.panels().size(); ++f) {
         const auto corners = net_.panels()[f];
         const auto count = static_cast<double>(corners.size());
@@ -107,12 +108,24 @@ void SnowLoads::add_tangent(const Points &x, BlockMatrix &tangent) const {
                     by_corner += second;
                 for (std::size_t k = 0; k < corners.size(); ++k) {
                     const double share = ((k == edge || k == plan.after(edge) ? 1 : 0) + 1 / count) / 3;
-                    block.row(2).head<2>() = -pressure_ * share * by_corner.transpose();
-                    tangent.add(corners[k], corners[m], block);
+                    gradient.head<2>() = pressure_ * share * by_corner;
+                    add(corners[k], corners[m], gradient);
                 }
             }
         }
     }
+}
+
+void SnowLoads::add_tangent(const Points &x, BlockMatrix &tangent) const {
+    differentiate(x, [&tangent](Index node, Index by, const Vector3 &gradient) {
+        tangent.add_vertical(node, by, -gradient);
+    });
+}
+
+void SnowLoads::add_tangent_product(const Points &x, const Points &motion, Points &product) const {
+    differentiate(x, [&motion, &product](Index node, Index by, const Vector3 &gradient) {
+        product(node, 2) -= gradient.dot(motion.row(by));
+    });
 }
 
 } // namespace funicular

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coarse_start.hpp"
+
+#include "errors.hpp"
+
+#include <array>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace funicular {
+
+namespace {
+
+// On fewer nodes a shape says little of the one that is looked for.
+constexpr Index least_nodes = 60;
+// The error that a coarse net has of itself is larger than what this leaves.
+constexpr double residual_of_stage = 1e-2;
+constexpr int most_steps_of_stage = 200;
+constexpr double most_growth = 100; // in the scene's own units, in which the net has a size of about one
+
+PointLoad at_nodes(std::vector<Index> nodes, const Vector3 &force) {
+    return {.nodes = std::move(nodes), .force = force};
+}
+
+/// Loads on nodes that are left out pass to those beside them.
+void pass_on(const std::vector<PointLoad> &loads, const Coarsening &coarsening,
+             std::vector<EffectDescription> &effects) {
+    std::map<Index, Vector3> forces;
+    for (const PointLoad &load : loads)
+        for (const Index node : load.nodes)
+            for (const auto &[parent, part] : coarsening.parents(node))
+                forces.try_emplace(parent, Vector3::Zero()).first->second += part * load.force;
+    std::map<std::array<double, 3>, std::vector<Index>> nodes_by_force;
+    for (const auto &[node, force] : forces)
+        nodes_by_force[{force[0], force[1], force[2]}].push_back(node);
+    for (auto &[force, nodes] : nodes_by_force)
+        effects.emplace_back(at_nodes(std::move(nodes), Vector3(force.data())));
+}
+
+std::vector<EffectDescription> passed_on(const std::vector<EffectDescription> &effects,
+                                         const LatticeLevel &level) {
+    std::vector<EffectDescription> passed;
+    std::vector<PointLoad> point_loads;
+    for (const auto &effect : effects) {
+        if (std::holds_alternative<AxialStiffness>(effect))
+            passed.emplace_back(level.stiffness);
+        else if (const auto *members = std::get_if<MemberWeight>(&effect))
+            passed.emplace_back(MemberWeight{.per_length = members->per_length, .lines = level.lines});
+        else if (const auto *load = std::get_if<PointLoad>(&effect))
+            point_loads.push_back(*load);
+        else
+            passed.push_back(effect);
+    }
+    pass_on(point_loads, level.coarsening, passed);
+    return passed;
+}
+
+/// The scene on each level, as far as it can be solved there.
+std::vector<std::shared_ptr<const Scene>> coarser_scenes(const Scene &scene,
+                                                         const std::vector<LatticeLevel> &levels) {
+    std::vector<std::shared_ptr<const Scene>> scenes;
+    auto effects = scene.effects();
+    for (const LatticeLevel &level : levels) {
+        if (level.net->node_count() < least_nodes)
+            break;
+        effects = passed_on(effects, level);
+        try {
+            scenes.push_back(
+                std::make_shared<const Scene>(level.net, level.supports, effects, level.rest_lengths));
+        } catch (const InvalidInput &) {
+            break; // what the finer net could bear, such as a number at the end of its range
+        }
+    }
+    return scenes;
+}
+
+} // namespace
+
+CoarseToFine::Stage::Stage(std::shared_ptr<const Scene> scene, const Points &metres)
+    : equilibrium(std::move(scene)), newton(equilibrium, Newton::Linear::on_lattice),
+      x(equilibrium.scene().on_supports(equilibrium.scene().scale().to_local(metres))) {
+    equilibrium.evaluate(x);
+}
+
+CoarseToFine::CoarseToFine(const Equilibrium &equilibrium)
+    : levels_(coarser_levels(equilibrium.scene())), scenes_(coarser_scenes(equilibrium.scene(), levels_)),
+      level_(scenes_.size()), newton_(equilibrium, Newton::Linear::on_lattice) {}
+
+Points CoarseToFine::metres_on_level(std::size_t level, const Points &fine) const {
+    Points nodes = fine;
+    for (std::size_t k = 0; k <= level; ++k) {
+        const auto &kept = levels_[k].coarsening.fine_nodes();
+        Points coarse(static_cast<Eigen::Index>(kept.size()), 3);
+        for (std::size_t node = 0; node < kept.size(); ++node)
+            coarse.row(static_cast<Eigen::Index>(node)) = nodes.row(kept[node]);
+        nodes = std::move(coarse);
+    }
+    return nodes;
+}
+
+double CoarseToFine::position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) {
+    if (level_ == 0)
+        return newton_.position_error(x, equilibrium, goal);
+    return std::numeric_limits<double>::infinity();
+}
+
+CoarseToFine::Progress CoarseToFine::advance(Stage &stage) {
+    if (stage.equilibrium.relative_residual() <= residual_of_stage)
+        return Progress::at_rest;
+    if (++stage.steps > most_steps_of_stage || !(stage.x.cwiseAbs().maxCoeff() < most_growth))
+        return Progress::lost;
+    (void)stage.newton.position_error(stage.x, stage.equilibrium, {.tolerance = residual_of_stage});
+    return stage.newton.move(stage.x, stage.equilibrium) == Move::made ? Progress::under_way : Progress::lost;
+}
+
+Iteration::Move CoarseToFine::move(Points &x, Equilibrium &equilibrium) {
+    if (level_ == 0)
+        return newton_.move(x, equilibrium);
+    const Scale &scale = equilibrium.scene().scale();
+    if (!stage_)
+        stage_ =
+            std::make_unique<Stage>(scenes_[level_ - 1], metres_on_level(level_ - 1, scale.to_metres(x)));
+    const Progress progress = advance(*stage_);
+    if (progress == Progress::under_way)
+        return Move::made;
+    equilibrium.add_costs(stage_->equilibrium.costs());
+    if (progress == Progress::lost) {
+        // The scene's own net may still have an equilibrium, and says why if it has none.
+        level_ = 0;
+        stage_.reset();
+        return Move::made;
+    }
+    Points metres = stage_->equilibrium.scene().scale().to_metres(stage_->x);
+    Points finer;
+    levels_[--level_].coarsening.interpolate(metres, finer);
+    if (level_ > 0) {
+        stage_ = std::make_unique<Stage>(scenes_[level_ - 1], finer);
+    } else {
+        stage_.reset();
+        x = equilibrium.scene().on_supports(scale.to_local(finer));
+        equilibrium.evaluate(x);
+    }
+    return Move::made;
+}
+
+} // namespace funicular
