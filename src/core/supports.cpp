@@ -15,9 +15,11 @@ namespace funicular {
 
 namespace {
 
-// Two planes that meet at a smaller angle (squared) than this are the same plane: their line of intersection
-// would be noise.
-constexpr double same_direction = 1e-8;
+// A direction no farther than this from those held before (the sine of an angle) is one of them: two planes
+// that meet at a smaller angle are the first of them, as their line of intersection would be noise.
+constexpr double same_direction = 1.4142e-4;
+// What is held upwards by less than this part (a cosine, squared) is not held vertically.
+constexpr double least_upward = 1e-8;
 
 void check_supports(const Net &net, const std::vector<Support> &supports) {
     for (std::size_t s = 0; s < supports.size(); ++s) {
@@ -56,15 +58,36 @@ std::vector<Index> components(const Net &net) {
     return parent;
 }
 
-std::string describe(const std::vector<Index> &component_of, Index component) {
-    constexpr int shown = 5;
+std::string component_in_words(const std::vector<Index> &component_of, Index component) {
     const auto count = std::count(component_of.begin(), component_of.end(), component);
-    std::string text = "the component of " + std::to_string(count) + (count == 1 ? " node (" : " nodes (");
-    int listed = 0;
-    for (Index node = 0; node < static_cast<Index>(component_of.size()) && listed < shown; ++node)
-        if (component_of[node] == component)
-            text += (listed++ > 0 ? ", " : "") + std::to_string(node);
-    return text + (count > shown ? ", …)" : ")");
+    return "the component of " + std::to_string(count) + (count == 1 ? " node" : " nodes");
+}
+
+/// The first nodes of a component, for a person to find it by, and the way out.
+std::string list_to_fix(const std::vector<Index> &component_of, Index component) {
+    constexpr Index shown = 5;
+    std::string text;
+    Index count = 0;
+    for (Index node = 0; node < static_cast<Index>(component_of.size()); ++node)
+        if (component_of[node] == component && count++ < shown)
+            text += (count > 1 ? ", " : "") + std::to_string(node);
+    if (count == 1)
+        return ": node " + text + "; fix it";
+    return ": nodes " + text + (count > shown ? ", …" : "") + "; fix at least one of them";
+}
+
+/// Adds what a support holds to what those before it hold, both as projections.
+void hold(const Support &support, Matrix3 &held) {
+    const auto add = [&held](const Vector3 &direction) {
+        const Vector3 beyond = direction - held * direction;
+        if (beyond.norm() > same_direction)
+            held += beyond.normalized() * beyond.normalized().transpose();
+    };
+    if (support.kind == SupportKind::on_plane)
+        return add(support.direction.stableNormalized());
+    const Matrix3 directions = held_directions(support);
+    for (Index axis = 0; axis < 3; ++axis)
+        add(directions.col(axis));
 }
 
 } // namespace
@@ -86,20 +109,19 @@ Freedoms::Freedoms(const Net &net, const std::vector<Support> &supports)
     : offsets_(net.node_count() + 1, 0), basis_of_(net.node_count(), 0), bases_{Matrix3::Identity()} {
     check_supports(net, supports);
 
-    std::map<Index, Matrix3> held;
+    std::map<Index, Matrix3> held; // as projections
     for (const Support &support : supports) {
         if (!std::isinf(support.stiffness))
             continue;
-        const Matrix3 directions = held_directions(support);
         for (const Index node : support.nodes)
-            held.try_emplace(node, Matrix3::Zero()).first->second += directions;
+            hold(support, held.try_emplace(node, Matrix3::Zero()).first->second);
     }
     for (Index node = 0; node < net.node_count(); ++node) {
         Index free = 3;
         if (const auto found = held.find(node); found != held.end()) {
             // Eigenvalues ascend, so the directions that nothing holds come first.
             const Eigen::SelfAdjointEigenSolver<Matrix3> solver(found->second);
-            free = static_cast<Index>((solver.eigenvalues().array() < same_direction).count());
+            free = static_cast<Index>((solver.eigenvalues().array() < 0.5).count());
             if (free > 0) {
                 basis_of_[node] = static_cast<Index>(bases_.size());
                 bases_.push_back(solver.eigenvectors());
@@ -165,14 +187,14 @@ void check_every_component_is_held(const Net &net, const std::vector<Support> &s
         if (component_of[component] != component)
             continue;
         if (held_up[component] < 0)
-            throw InvalidInput("supports: " + describe(component_of, component) +
-                               " has no support: fix at least one of its nodes");
+            throw InvalidInput("supports: " + component_in_words(component_of, component) +
+                               " has no support" + list_to_fix(component_of, component));
         if (is_alone(component) && freedoms.count(component) > 0)
             throw InvalidInput("supports: node " + std::to_string(component) +
                                " has no members, so that nothing brings it to rest: fix it, or leave it out");
-        if (held_up[component] < same_direction)
-            throw InvalidInput("supports: nothing holds " + describe(component_of, component) +
-                               " vertically: fix at least one of its nodes");
+        if (held_up[component] < least_upward)
+            throw InvalidInput("supports: nothing holds " + component_in_words(component_of, component) +
+                               " vertically" + list_to_fix(component_of, component));
     }
 }
 

@@ -77,12 +77,12 @@ TEST(Supports, NameWhatIsWrong) {
 TEST(Supports, EveryComponentMustBeHeld) {
     const Points nodes = (Points(5, 3) << 0, 0, 0, 1, 0, 0, 5, 0, 0, 6, 0, 0, 7, 0, 0).finished();
     const Net net(nodes, {{0, 1}, {2, 3}, {3, 4}});
-    expect_invalid([&] { check_held(net, {fixed({0})}); }, {"component of 3 nodes (2, 3, 4)", "no support"});
+    expect_invalid([&] { check_held(net, {fixed({0})}); }, {"component of 3 nodes has no support", "nodes 2, 3, 4;"});
     expect_invalid(
         [&] {
             check_held(net, {fixed({0}), line({2, 3}, Vector3::UnitZ())});
         },
-        {"component of 3 nodes (2, 3, 4)", "vertically"});
+        {"component of 3 nodes vertically", "nodes 2, 3, 4;"});
     auto lifted = fixed({2});
     lifted.stiffness = 0;
     expect_invalid([&] { check_held(net, {fixed({0}), lifted}); }, {"component of 3 nodes", "no support"});

@@ -157,7 +157,7 @@ NET = ([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1], [1, 2]])
         (lambda net: fn.Scene(net, [fn.Fixed(0), 7], [fn.AxialStiffness(1)]), ["supports[1]"]),
         (
             lambda net: fn.Scene(net, [], [fn.AxialStiffness(1)]),
-            ["component of 3 nodes (0, 1, 2)", "no support"],
+            ["component of 3 nodes has no support", "nodes 0, 1, 2"],
         ),
         (lambda net: fn.Scene(net, [fn.OnLine([0])], [fn.AxialStiffness(1)]), ["vertically"]),
         (lambda net: fn.Scene(net, [fn.OnLine([0], (0, 0))], [fn.AxialStiffness(1)]), ["direction", "three"]),
