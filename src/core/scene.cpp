@@ -65,14 +65,19 @@ double rough_nodal_load(const Net &net, const std::vector<EffectDescription> &ef
         else if (const auto *snow = std::get_if<Snow>(&effect))
             load += snow->pressure * net.size() * net.size();
         else if (const auto *point = std::get_if<PointLoad>(&effect))
-            load += point->force.norm() * static_cast<double>(point->nodes.size());
+            load += point->force.stableNorm() * static_cast<double>(point->nodes.size());
         else if (const auto *axial = std::get_if<AxialStiffness>(&effect);
                  axial && axial->stiffness.size() > 0)
             stiffest = axial->stiffness.maxCoeff();
     }
     // Without loads the members pull on one another only.
-    const double rough = load > 0 ? load / net.node_count() : stiffest;
-    return std::isfinite(rough) && rough > 0 ? rough : 1;
+    return load > 0 ? load / net.node_count() : stiffest;
+}
+
+/// What cannot be meant as a load leaves the unit at one newton; what is wrong with it is said where it is
+/// checked.
+double force_unit(double rough_load) {
+    return std::isfinite(rough_load) && rough_load > 0 ? power_of_two_above(rough_load) : 1;
 }
 
 } // namespace
@@ -83,7 +88,7 @@ Scene::Scene(std::shared_ptr<const Net> net, std::vector<Support> supports,
       rest_lengths_(checked_rest_lengths(*net_, std::move(rest_lengths))),
       scale_{.origin = net_->centre(),
              .length = power_of_two_above(net_->size()),
-             .force = power_of_two_above(rough_nodal_load(*net_, effects))},
+             .force = force_unit(rough_nodal_load(*net_, effects))},
       freedoms_(*net_, supports_) {
     check_every_component_is_held(*net_, supports_, freedoms_);
 
@@ -110,6 +115,9 @@ Scene::Scene(std::shared_ptr<const Net> net, std::vector<Support> supports,
     }
     if (!axial_)
         throw InvalidInput("effects: AxialStiffness is missing; members without stiffness cannot carry");
+    if (!std::isfinite(rough_nodal_load(*net_, descriptions_)))
+        throw InvalidInput("effects: the loads add up to more than a floating-point number holds: check the "
+                           "weights, the forces and the size of the net");
 
     elastic_supports_ = elastic_supports_of(*net_, supports_, scale_);
 }
