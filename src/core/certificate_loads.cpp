@@ -162,12 +162,11 @@ void add(const Snow &effect, const Net &net, const Points &nodes, Points &loads)
         for (Vector3 &corner : corners)
             corner.z() = 0;
         const std::size_t count = corners.size();
-        const double sense = area_vector(corners).z() < 0 ? -1 : 1;
         const Vector3 middle = mean(corners);
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t next = (k + 1) % count;
-            const double signed_area = sense * area_vector({middle, corners[k], corners[next]}).z() / 2;
-            const double third = effect.pressure * signed_area / 3;
+            const double area = std::abs(area_vector({middle, corners[k], corners[next]}).z()) / 2;
+            const double third = effect.pressure * area / 3;
             loads(net.panels()[f][k], 2) -= third;
             loads(net.panels()[f][next], 2) -= third;
             for (const Index corner : net.panels()[f])

@@ -27,33 +27,28 @@ public:
             middle_ += corners_[k];
         }
         middle_ /= static_cast<double>(corners.size());
-        double doubled = 0;
-        for (std::size_t k = 0; k < corners.size(); ++k)
-            doubled += cross(from_middle(k), from_middle(after(k)));
-        // A panel seen from below has a negative area in plan, but bears snow all the same.
-        sense_ = doubled < 0 ? -1 : 1;
     }
 
     [[nodiscard]] std::size_t after(std::size_t k) const { return k + 1 == corners_.size() ? 0 : k + 1; }
-    [[nodiscard]] double triangle(std::size_t k) const {
-        return sense_ / 2 * cross(from_middle(k), from_middle(after(k)));
-    }
+    [[nodiscard]] double triangle(std::size_t k) const { return std::abs(doubled(k)) / 2; }
     /// Derivatives of triangle k by its two corners; by the middle, minus their sum.
     [[nodiscard]] Vector2 by_first(std::size_t k) const {
         const Vector2 b = from_middle(after(k));
-        return sense_ / 2 * Vector2(b.y(), -b.x());
+        return sense(k) / 2 * Vector2(b.y(), -b.x());
     }
     [[nodiscard]] Vector2 by_second(std::size_t k) const {
         const Vector2 a = from_middle(k);
-        return sense_ / 2 * Vector2(-a.y(), a.x());
+        return sense(k) / 2 * Vector2(-a.y(), a.x());
     }
 
 private:
+    /// Twice the area of the triangle between edge k and the middle, negative where it is seen from below.
+    [[nodiscard]] double doubled(std::size_t k) const { return cross(from_middle(k), from_middle(after(k))); }
+    [[nodiscard]] double sense(std::size_t k) const { return doubled(k) < 0 ? -1 : 1; }
     [[nodiscard]] Vector2 from_middle(std::size_t k) const { return corners_[k] - middle_; }
 
     std::vector<Vector2> corners_;
     Vector2 middle_;
-    double sense_ = 1;
 };
 
 } // namespace

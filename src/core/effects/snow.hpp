@@ -8,9 +8,11 @@
 
 namespace funicular {
 
-/// A pressure on each panel's area in plan. Each triangle between an edge and the mean of the corners gives a
-/// third of its load to each of its points, the mean's third going to all corners alike: force and moments
-/// are those of the pressure.
+/// A pressure on each panel's area in plan: that of the triangles between its edges and the mean of its
+/// corners, as its covering's area is (see PanelGeometry). A panel seen from below bears snow all the same,
+/// and so does the part of one that is folded on itself in plan, as where a warped wall tips over: no load
+/// lifts, and none jumps. Each triangle gives a third of its load to each of its points, the mean's third
+/// going to all corners alike: force and moments are those of the pressure.
 class SnowLoads final : public Effect {
 public:
     /// \throws InvalidInput for a pressure that is negative or not finite.
