@@ -250,7 +250,7 @@ TEST(HardCase20_EditsMidSolve, CancelledAfterAnyStepItResumes) {
     const auto scene = editable().scene();
     const auto whole = solve(scene);
     for (const Method method : {Method::automatic, Method::newton, Method::relaxation})
-        for (long after = 0; after < std::min<long>(whole.iterations, 12); ++after) {
+        for (long after = 0; after < std::min<long>(whole.iterations, sized(12, 2)); ++after) {
             SolveOptions options;
             options.method = method;
             bool is_cancelling = true;

@@ -161,8 +161,9 @@ TEST(HardCase19_UnitsAndPlace, AMicrometreNetAMillionMetresOffIsRefusedOrInEquil
         const auto scene = drawn(1e-6, Vector3(1e6, -1e6, 5e5));
         const auto result = solve(scene);
         EXPECT_TRUE(result.nodes.allFinite());
-        if (result.status == Status::converged)
+        if (result.status == Status::converged) {
             EXPECT_TRUE(certify(*scene, result.centred_nodes, nullptr, 1e-6).in_equilibrium);
+        }
     } catch (const InvalidInput &error) {
         expect_words(error.what(), {"has no length"});
     }

@@ -138,10 +138,8 @@ TEST_P(HardCase05_StiffnessFrom1e_2To1e12, ADomeStandsOrSaysWhyNot) {
     const auto scene = hemisphere(12, 6, 5, ea, true, 20, 30);
     const auto result = solve(scene);
     EXPECT_TRUE(result.nodes.allFinite());
-    // 20 kg/m on 13 m² of covering: below some kN nothing stands.
-    if (ea >= 1e4)
-        expect_certified(scene, result, 1e-6);
-    else if (result.status != Status::converged)
+    // Below some kN nothing need stand.
+    if (ea < 1e4 && result.status != Status::converged)
         expect_no_equilibrium(scene, {"weight", "stiffness"});
     else
         expect_certified(scene, result, 1e-6);

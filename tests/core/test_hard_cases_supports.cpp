@@ -241,9 +241,7 @@ TEST(HardCase10_SeveralSupports, EverythingHeldLeavesNothingToFind) {
         all[i] = i;
     const auto scene = covered(net, {fixed(all)});
     for (const Method method : {Method::automatic, Method::newton, Method::relaxation}) {
-        SolveOptions options;
-        options.method = method;
-        const auto result = solve(scene, options);
+        const auto result = solved(scene, method);
         EXPECT_EQ(result.status, Status::converged) << result.message;
         EXPECT_EQ(result.nodes, net->nodes());
         EXPECT_NEAR(result.reactions.col(2).sum(), (24 * 8 + 9 * 20) * standard_gravity, 1e-6);
