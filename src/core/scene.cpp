@@ -33,6 +33,20 @@ bool is_absent(const Snow &effect) {
     return effect.pressure == 0;
 }
 
+void multiply_load(AxialStiffness & /*effect*/, double /*factor*/) {}
+void multiply_load(MemberWeight &effect, double factor) {
+    effect.per_length *= factor;
+}
+void multiply_load(CoveringWeight &effect, double factor) {
+    effect.per_area *= factor;
+}
+void multiply_load(PointLoad &effect, double factor) {
+    effect.force *= factor;
+}
+void multiply_load(Snow &effect, double factor) {
+    effect.pressure *= factor;
+}
+
 std::shared_ptr<const Net> existing(std::shared_ptr<const Net> net) {
     if (!net)
         throw InvalidInput("net is missing: give a Net");
@@ -145,6 +159,15 @@ Points Scene::on_supports(const Points &local) const {
     Points motion(local.rows(), 3);
     freedoms_.expand(along_freedoms, motion);
     return anchors + motion;
+}
+
+Scene Scene::with_loads_times(double factor) const {
+    if (!(factor >= 0))
+        throw InvalidInput("factor of the loads must be zero or positive");
+    auto effects = descriptions_;
+    for (auto &effect : effects)
+        std::visit([factor](auto &part) { multiply_load(part, factor); }, effect);
+    return {net_, supports_, effects, rest_lengths_};
 }
 
 } // namespace funicular

@@ -23,8 +23,6 @@ constexpr long most_relaxation_steps = 10'000'000;
 constexpr long most_steps_after_newton = 100'000;
 constexpr double seconds_between_reports = 0.01;
 constexpr std::size_t longest_history = 4096;
-// A net that has grown to this many times its size has no equilibrium that anyone would build.
-constexpr double runaway_growth = 1e5;
 
 double clock_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -89,6 +87,7 @@ void Solver::begin(const Points &local_start) {
     last_told_ = -std::numeric_limits<double>::infinity();
     is_measured_ = false;
     status_.reset();
+    load_limit_.reset();
     use(options_.method == Method::relaxation ? Method::relaxation : Method::newton);
     publish();
 }
@@ -111,7 +110,7 @@ void Solver::replace(std::shared_ptr<const Scene> scene) {
                            " nodes, but the shape to go on from has " + std::to_string(x_.rows()));
     const std::scoped_lock lock(working_);
     const Points shape =
-        status_ == Status::no_equilibrium ? scene->net().nodes() : scene_->scale().to_metres(x_);
+        has_run_away() ? scene->net().nodes() : scene_->scale().to_metres(x_);
     scene_ = std::move(scene);
     begin(scene_->scale().to_local(shape));
 }
@@ -209,17 +208,41 @@ bool Solver::has_run_away() const {
     return report_.iteration > 0 && !(x_.cwiseAbs().maxCoeff() < runaway_growth * extent_);
 }
 
-std::string Solver::runaway_message() const {
+bool Solver::has_moved_as_a_whole() const {
     double longest = 0;
     for (const auto &[i, j] : scene_->net().members())
         longest = std::max(longest, (x_.row(j) - x_.row(i)).norm());
-    if (longest < extent_)
-        return "No equilibrium: the net moves away as a whole. Its supports are too weak, or leave it free "
-               "in a "
-               "direction in which a load acts: hold it there.";
-    return "No equilibrium: the net grows without bound, as its weight is too large for its stiffness. Raise "
-           "the "
-           "axial stiffness, or lower the weights.";
+    return longest < extent_;
+}
+
+bool Solver::end_or_look_for_limit() {
+    if (has_moved_as_a_whole())
+        return end(Status::no_equilibrium,
+                   "No equilibrium: the net moves away as a whole. Its supports are too weak, or leave it free "
+                   "in a direction in which a load acts: hold it there.");
+    if (!load_limit_)
+        load_limit_ = std::make_unique<LoadLimitSearch>(
+            scene_, on_supports(*scene_, scene_->scale().to_local(scene_->net().nodes())));
+    const bool must_end = report_.iteration >= iteration_limit() || seconds() >= options_.max_seconds;
+    if (load_limit_->has_ended() || must_end)
+        return end(Status::no_equilibrium, load_limit_->message());
+    return false;
+}
+
+/// Makes a step of the search for the load that the net can carry; goes on from its last shape where that is
+/// the whole.
+bool Solver::look_for_limit() {
+    ++report_.iteration;
+    if (load_limit_->step() && load_limit_->carried() == 1) {
+        x_ = load_limit_->shape();
+        equilibrium_->evaluate(x_);
+        use(Method::newton);
+        is_measured_ = false;
+        return false;
+    }
+    report_.seconds = seconds();
+    return !told(report_) && end(Status::cancelled, "Cancelled. The net has no equilibrium under its loads, or "
+                                                    "none was found.");
 }
 
 bool Solver::end_if_decided() {
@@ -237,7 +260,7 @@ bool Solver::end_if_decided() {
             "Members or supports are so stiff for their load that rounding makes a relative residual of " +
                 to_text(report_.residual) + ": their forces cannot be told. Lower the stiffness.");
     if (has_run_away())
-        return end(Status::no_equilibrium, runaway_message());
+        return end_or_look_for_limit();
     if (report_.iteration >= iteration_limit())
         return end(Status::iteration_limit, limit_message(std::to_string(iteration_limit()) + " iterations"));
     if (seconds() >= options_.max_seconds)
@@ -254,6 +277,8 @@ long Solver::iteration_limit() const {
 }
 
 bool Solver::make_move() {
+    if (has_run_away())
+        return look_for_limit();
     if (iteration_->move(x_, *equilibrium_) == Iteration::Move::impossible) {
         const bool only_accuracy_is_missing = report_.residual <= goal_.tolerance;
         if (options_.method != Method::automatic || only_accuracy_is_missing)

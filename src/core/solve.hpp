@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "existence.hpp"
 #include "method.hpp"
 #include "result.hpp"
 
@@ -52,7 +53,9 @@ private:
     bool told(const Report &report);
     [[nodiscard]] std::string limit_message(const std::string &limit) const;
     [[nodiscard]] bool has_run_away() const;
-    [[nodiscard]] std::string runaway_message() const;
+    [[nodiscard]] bool has_moved_as_a_whole() const;
+    bool end_or_look_for_limit();
+    bool look_for_limit();
     bool end(Status status, std::string message);
     bool measure();
     bool end_if_decided();
@@ -69,6 +72,7 @@ private:
     Points x_;
     double extent_ = 0; ///< of the start shape, in the scene's own units
     Report report_;
+    std::unique_ptr<LoadLimitSearch> load_limit_; ///< once the net has run away
     bool is_measured_ = false;
     std::optional<Status> status_;
     std::string message_;
