@@ -17,16 +17,37 @@ constexpr int most_steps_of_trial = 60;
 // Enough to tell an equilibrium from the narrow place that is left of one just beyond the limit.
 constexpr double residual_of_trial = 1e-4;
 constexpr double error_of_trial = 1e-3;
+// Parts of the largest part carried from which the growth is told.
+constexpr std::array<double, 2> lesser_parts{0.93, 0.86};
+// The whole was refused.
+constexpr double most_of_the_whole = 0.98;
 constexpr double first_part = 0.25;
 // No part of the loads worth naming.
 constexpr double least_part = 1e-12;
 // The search ends when the smallest part refused is this many times the largest part carried.
 constexpr double narrow_bracket = 1.02;
-constexpr double narrow_bracket_of_large_net = 1.05;
-constexpr Index large_net = 20'000;
+// How far to go up at once: at first, and where a refusal has turned out too early.
+constexpr double long_stride = 2;
+constexpr double short_stride = 1.2;
 // A refusal stands if it was tried from a shape that carries this part of it.
 constexpr double close_below = 0.9;
-// A net that has grown so much at the limit deserves a word about it.
+
+/// How far a search follows a net, in terms of its size.
+struct GrowthLimits {
+    double telling;  ///< the limit can be told without going closer
+    double moderate; ///< what has grown more is left to extrapolation
+    double hopeless; ///< what is so large on the way is not waited for
+};
+constexpr GrowthLimits growth_of_small_net{1e3, 3e3, 1e5};
+// Each decade is costly, and from so far below nothing can be told: what is carried there is the figure.
+constexpr GrowthLimits growth_of_large_net{30, 100, 1e3};
+constexpr Index large_net = 1000;
+
+GrowthLimits growth_limits(const Scene &scene) {
+    return scene.net().node_count() < large_net ? growth_of_small_net : growth_of_large_net;
+}
+
+// Growth that deserves a word.
 constexpr double notable_growth = 10;
 
 /// Three significant digits, none of them rounded up: what is said to be carried is.
@@ -90,7 +111,8 @@ std::string stiffness_text(double value, bool per_spring) {
 
 LoadLimitSearch::LoadLimitSearch(std::shared_ptr<const Scene> scene, Points start)
     : scene_(std::move(scene)), start_(std::move(start)),
-      extent_(std::max(start_.cwiseAbs().maxCoeff(), scene_->net().size() / scene_->scale().length)) {
+      extent_(std::max(start_.cwiseAbs().maxCoeff(), scene_->net().size() / scene_->scale().length)),
+      stride_(long_stride) {
     try_part(first_part);
 }
 
@@ -108,44 +130,103 @@ void LoadLimitSearch::try_part(double part) {
 bool LoadLimitSearch::step() {
     if (has_ended_)
         return true;
-    const double size = x_.cwiseAbs().maxCoeff();
+    const double growth = x_.cwiseAbs().maxCoeff() / extent_;
     const double error = newton_->position_error(x_, *equilibrium_, {});
     ++steps_;
-    if (equilibrium_->significant_residual() <= residual_of_trial && error <= error_of_trial * size)
-        end_trial(true);
-    else if (!(size < runaway_growth * extent_) || ++steps_of_trial_ > most_steps_of_trial ||
+    if (equilibrium_->significant_residual() <= residual_of_trial && error <= error_of_trial * growth * extent_)
+        end_trial(growth <= growth_limits(*scene_).moderate);
+    else if (!(growth < growth_limits(*scene_).hopeless) || ++steps_of_trial_ > most_steps_of_trial ||
              newton_->move(x_, *equilibrium_) == Iteration::Move::impossible)
         end_trial(false);
     return has_ended_ = has_ended_ || steps_ >= most_steps;
 }
 
+double LoadLimitSearch::log_size(const Points &x) const {
+    return std::log((x.colwise().maxCoeff() - x.colwise().minCoeff()).norm());
+}
+
 void LoadLimitSearch::end_trial(bool is_carried) {
+    if (is_closed_) {
+        if (is_carried)
+            growths_.push_back({part_, log_size(x_)});
+        return look_next();
+    }
     if (is_carried) {
-        // What was refused from farther below may be no limit at all.
-        if (part_ >= refused_) {
-            refused_ = 1;
+        carried_ = part_;
+        // What was refused without a start, or from farther below, may be no limit at all.
+        if (refused_from_ == 0 || part_ >= refused_) {
+            refused_ = std::min(1.0, stride_ * carried_);
             refused_from_ = 0;
         }
-        carried_ = part_;
         shape_ = x_;
     } else {
+        if (carried_ > 0)
+            stride_ = short_stride;
         refused_ = part_;
         refused_from_ = carried_;
     }
+    look_next();
+}
 
+void LoadLimitSearch::look_next() {
+    if (is_closed_) {
+        const std::size_t known = growths_.size();
+        has_ended_ = known > lesser_parts.size() || growths_.back().part < part_;
+        if (!has_ended_)
+            try_part(lesser_parts[known - 1] * carried_);
+        return;
+    }
     if (carried_ >= 1 || refused_ < least_part) {
         has_ended_ = true;
         return;
     }
     if (carried_ == 0)
         return try_part(refused_ * refused_);
-    const double narrow =
-        scene_->net().node_count() < large_net ? narrow_bracket : narrow_bracket_of_large_net;
-    if (refused_ > narrow * carried_)
-        return try_part(std::sqrt(carried_ * refused_));
-    if (refused_from_ < close_below * refused_)
-        return try_part(refused_);
-    has_ended_ = true;
+    const double growth = shape_.cwiseAbs().maxCoeff() / extent_;
+    if (growth < growth_limits(*scene_).telling) {
+        if (refused_from_ == 0)
+            return try_part(refused_);
+        if (refused_ > narrow_bracket * carried_)
+            return try_part(std::sqrt(carried_ * refused_));
+        if (refused_from_ < close_below * refused_)
+            return try_part(refused_);
+        has_ended_ = true;
+        return;
+    }
+    if (scene_->net().node_count() >= large_net) {
+        has_ended_ = true;
+        return;
+    }
+    is_closed_ = true;
+    growths_ = {{carried_, log_size(shape_)}};
+    try_part(lesser_parts[0] * carried_);
+}
+
+double LoadLimitSearch::limit() const {
+    if (growths_.size() <= lesser_parts.size())
+        return carried_;
+    // Near a limit λ* of order p a net grows as size = C (λ* - λ)^-p, so that λ = λ* - A exp(-μ ln size), μ =
+    // 1/p; with μ = 0, which is growth without a limit, λ is linear in ln size.
+    const auto [part2, size2] = growths_[0];
+    const auto [part1, size1] = growths_[1];
+    const auto [part0, size0] = growths_[2];
+    const auto gain = [](double mu, double from, double to) { // of λ, relative to A exp(-μ from)
+        return mu == 0 ? to - from : -std::expm1(-mu * (to - from)) / mu;
+    };
+    const double wanted = (part2 - part1) / (part1 - part0);
+    const auto ratio = [&](double mu) {
+        return std::exp(-mu * (size1 - size0)) * gain(mu, size1, size2) / gain(mu, size0, size1);
+    };
+    double low = 0;
+    double high = 100;
+    if (ratio(0) > wanted)
+        for (int halving = 0; halving < 60; ++halving) {
+            const double middle = (low + high) / 2;
+            (ratio(middle) > wanted ? low : high) = middle;
+        }
+    const double runaway = log_size(start_) + std::log(runaway_growth);
+    const double further = std::exp(-low * (size2 - size1)) * gain(low, size2, runaway) / gain(low, size1, size2);
+    return std::clamp(part2 + (part2 - part1) * further, carried_, std::max(carried_, most_of_the_whole));
 }
 
 std::string LoadLimitSearch::message() const {
@@ -162,27 +243,31 @@ std::string LoadLimitSearch::message() const {
         is_uniform ? "stiffness " + stiffness_text(axial->stiffness[0], axial->per_spring)
                    : "the members' stiffness";
 
+    const double most = limit();
     std::string text = "No equilibrium: ";
     if (loads.size() == 1) {
         text += loads[0].text() + " is beyond what " + stiffness + " can carry; at most about " +
-                loads[0].text_of(carried_);
+                loads[0].text_of(most);
     } else {
-        text += "the loads are " + to_text(1 / carried_) + " times what " + stiffness +
-                " can carry; at most about " + plain(rounded_down(100 * carried_)) + " % of them: ";
+        text += "the loads are " + to_text(1 / most) + " times what " + stiffness +
+                " can carry; at most about " + plain(rounded_down(100 * most)) + " % of them: ";
         for (std::size_t k = 0; k < loads.size(); ++k)
-            text += (k > 0 ? ", " : "") + loads[k].name + " " + loads[k].text_of(carried_);
+            text += (k > 0 ? ", " : "") + loads[k].name + " " + loads[k].text_of(most);
     }
     const double growth = shape_.cwiseAbs().maxCoeff() / extent_;
     if (growth > notable_growth)
-        text += ", where the net has grown to " + to_text(growth) + " times its size";
+        text += " (at " +
+                (loads.size() == 1 ? loads[0].text_of(carried_)
+                                   : plain(rounded_down(100 * carried_)) + " %") +
+                " the net has already grown to " + plain(std::round(growth)) + " times its size)";
     text += ".";
     // With the same loads over stiffness a net has the same shape, unless a support yields.
     if (scene_->elastic_supports().empty())
         text += is_uniform ? " Or raise the axial stiffness to at least about " +
-                                 stiffness_text(rounded_up(axial->stiffness[0] / carried_), axial->per_spring) +
+                                 stiffness_text(rounded_up(axial->stiffness[0] / most), axial->per_spring) +
                                  "."
                            : " Or raise the axial stiffness to at least about " +
-                                 plain(rounded_up(1 / carried_)) + " times what it is.";
+                                 plain(rounded_up(1 / most)) + " times what it is.";
     return text;
 }
 
