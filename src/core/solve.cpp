@@ -21,6 +21,7 @@ constexpr long most_newton_steps = 1000;
 constexpr long most_relaxation_steps = 10'000'000;
 // Where Newton's method found no step, relaxation gets so far or not at all.
 constexpr long most_steps_after_newton = 100'000;
+constexpr int most_departures = 8;
 constexpr double seconds_between_reports = 0.01;
 constexpr std::size_t longest_history = 4096;
 
@@ -88,6 +89,8 @@ void Solver::begin(const Points &local_start) {
     is_measured_ = false;
     status_.reset();
     load_limit_.reset();
+    instability_.reset();
+    departures_ = 0;
     use(options_.method == Method::relaxation ? Method::relaxation : Method::newton);
     publish();
 }
@@ -245,15 +248,46 @@ bool Solver::look_for_limit() {
                                                     "none was found.");
 }
 
+std::string Solver::equilibrium_message() const {
+    std::string text = "In equilibrium";
+    if (report_.residual > goal_.tolerance)
+        text += " as far as rounding lets one tell: members or supports are too stiff for a residual below " +
+                to_text(report_.residual);
+    text += ".";
+    if (instability_)
+        text += " It is an unstable one: " + std::to_string(count_pushing(x_, *equilibrium_)) +
+                " two-way members hold it as struts (tension members of the built structure), and a "
+                "disturbance would take it elsewhere. Compression-only members have no such state.";
+    if (const Index loose = count_loose_nodes(x_, *equilibrium_); loose > 0)
+        text += " At " + std::to_string(loose) + (loose == 1 ? " node" : " nodes") +
+                " every member is slack: nothing holds " + (loose == 1 ? "it" : "them") + " in place.";
+    return text;
+}
+
+/// Ends the solve at an equilibrium, unless that is one in the wrong sign that can be left.
+bool Solver::end_converged() {
+    instability_ = find_instability(x_, *equilibrium_);
+    if (!instability_ || !instability_->way_out)
+        return end(Status::converged, equilibrium_message());
+    const std::string found = " It has found an unstable equilibrium, in which two-way members hold loads up as "
+                              "struts or would buckle.";
+    const std::string advice = " Start from a shape on the other side, or take compression-only members.";
+    if (report_.iteration >= iteration_limit())
+        return end(Status::iteration_limit, "Stopped at the limit of " + std::to_string(iteration_limit()) +
+                                                " iterations." + found + advice);
+    if (seconds() >= options_.max_seconds)
+        return end(Status::time_limit,
+                   "Stopped at the limit of " + to_text(options_.max_seconds) + " seconds." + found + advice);
+    if (departures_ >= most_departures)
+        return end(Status::iteration_limit, "Stopped at the limit of " + std::to_string(most_departures) +
+                                                " attempts to find a stable shape." + found + advice);
+    return false;
+}
+
 bool Solver::end_if_decided() {
     const bool is_near = report_.position_error <= options_.accuracy;
     if (is_near && equilibrium_->significant_residual() <= goal_.tolerance)
-        return end(Status::converged,
-                   report_.residual <= goal_.tolerance
-                       ? "In equilibrium."
-                       : "In equilibrium as far as rounding lets one tell: members or supports "
-                         "are too stiff for a residual below " +
-                             to_text(report_.residual) + ".");
+        return end_converged();
     if (is_near && equilibrium_->is_hidden_by_rounding(goal_.tolerance))
         return end(
             Status::iteration_limit,
@@ -279,6 +313,15 @@ long Solver::iteration_limit() const {
 bool Solver::make_move() {
     if (has_run_away())
         return look_for_limit();
+    if (instability_) {
+        leave_along(*instability_->way_out, x_, *equilibrium_);
+        instability_.reset();
+        ++departures_;
+        use(method_);
+        ++report_.iteration;
+        is_measured_ = false;
+        return false;
+    }
     if (iteration_->move(x_, *equilibrium_) == Iteration::Move::impossible) {
         const bool only_accuracy_is_missing = report_.residual <= goal_.tolerance;
         if (options_.method != Method::automatic || only_accuracy_is_missing)

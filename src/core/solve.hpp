@@ -4,6 +4,7 @@
 #include "existence.hpp"
 #include "method.hpp"
 #include "result.hpp"
+#include "stability.hpp"
 
 #include <functional>
 #include <limits>
@@ -56,6 +57,8 @@ private:
     [[nodiscard]] bool has_moved_as_a_whole() const;
     bool end_or_look_for_limit();
     bool look_for_limit();
+    bool end_converged();
+    [[nodiscard]] std::string equilibrium_message() const;
     bool end(Status status, std::string message);
     bool measure();
     bool end_if_decided();
@@ -73,6 +76,8 @@ private:
     double extent_ = 0; ///< of the start shape, in the scene's own units
     Report report_;
     std::unique_ptr<LoadLimitSearch> load_limit_; ///< once the net has run away
+    std::optional<Instability> instability_;      ///< of the present shape, if it is an equilibrium
+    int departures_ = 0;                          ///< from equilibria in the wrong sign
     bool is_measured_ = false;
     std::optional<Status> status_;
     std::string message_;
