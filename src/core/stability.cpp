@@ -151,16 +151,19 @@ Index count_pushing(const Points &x, const Equilibrium &equilibrium) {
 }
 
 Index count_loose_nodes(const Points &x, const Equilibrium &equilibrium) {
-    const Net &net = equilibrium.scene().net();
+    const Scene &scene = equilibrium.scene();
     const auto tensions = significant_tensions(x, equilibrium);
-    std::vector<bool> is_held(net.node_count(), false);
-    for (Index e = 0; e < net.member_count(); ++e)
-        if (tensions[e] != 0)
-            for (const Index end : net.members()[e])
-                is_held[end] = true;
+    std::vector<bool> is_held(scene.net().node_count(), false);
+    for (Index e = 0; e < scene.net().member_count(); ++e) {
+        const auto [i, j] = scene.net().members()[e];
+        const double length = (x.row(j) - x.row(i)).norm() * scene.scale().length;
+        // One that has just its rest length is not slack: it holds as soon as its ends move apart.
+        if (tensions[e] != 0 || length >= (1 - negligible) * scene.rest_lengths()[e])
+            is_held[i] = is_held[j] = true;
+    }
     Index loose = 0;
-    for (Index node = 0; node < net.node_count(); ++node)
-        if (!is_held[node] && equilibrium.scene().freedoms().count(node) == 3)
+    for (Index node = 0; node < scene.net().node_count(); ++node)
+        if (!is_held[node] && scene.freedoms().count(node) == 3)
             ++loose;
     return loose;
 }
