@@ -17,6 +17,8 @@ constexpr int most_steps_of_trial = 60;
 // Enough to tell an equilibrium from the narrow place that is left of one just beyond the limit.
 constexpr double residual_of_trial = 1e-4;
 constexpr double error_of_trial = 1e-3;
+// So small that the position error, which rounding may hide, need not be known.
+constexpr double residual_of_rounding = 1e-10;
 // Parts of the largest part carried from which the growth is told.
 constexpr std::array<double, 2> lesser_parts{0.93, 0.86};
 // The whole was refused.
@@ -28,9 +30,9 @@ constexpr double least_part = 1e-12;
 constexpr double narrow_bracket = 1.02;
 // How far to go up at once: at first, and where a refusal has turned out too early.
 constexpr double long_stride = 2;
-constexpr double short_stride = 1.2;
+constexpr double short_stride = 1.05;
 // A refusal stands if it was tried from a shape that carries this part of it.
-constexpr double close_below = 0.9;
+constexpr double close_below = 0.985;
 
 /// How far a search follows a net, in terms of its size.
 struct GrowthLimits {
@@ -89,8 +91,8 @@ std::vector<NamedLoad> named_loads(const Scene &scene) {
         else if (const auto *snow = std::get_if<Snow>(&effect))
             loads.push_back({"snow", "N/m²", snow->pressure});
         else if (const auto *point = std::get_if<PointLoad>(&effect))
-            loads.push_back({point->nodes.size() == 1 ? "point load" : "point loads of", "N",
-                             point->force.stableNorm()});
+            loads.push_back(
+                {point->nodes.size() == 1 ? "point load" : "point loads of", "N", point->force.stableNorm()});
     }
     return loads;
 }
@@ -118,10 +120,10 @@ LoadLimitSearch::LoadLimitSearch(std::shared_ptr<const Scene> scene, Points star
 
 void LoadLimitSearch::try_part(double part) {
     part_ = part;
-    // Where weights and stiffness are large, the start is that of a light net, which is nearly as it was cut.
     x_ = carried_ > 0 ? shape_ : start_;
     newton_.reset();
-    equilibrium_ = std::make_unique<Equilibrium>(std::make_shared<const Scene>(scene_->with_loads_times(part)));
+    equilibrium_ =
+        std::make_unique<Equilibrium>(std::make_shared<const Scene>(scene_->with_loads_times(part)));
     equilibrium_->evaluate(x_);
     newton_ = std::make_unique<Newton>(*equilibrium_);
     steps_of_trial_ = 0;
@@ -133,12 +135,15 @@ bool LoadLimitSearch::step() {
     const double growth = x_.cwiseAbs().maxCoeff() / extent_;
     const double error = newton_->position_error(x_, *equilibrium_, {});
     ++steps_;
-    if (equilibrium_->significant_residual() <= residual_of_trial && error <= error_of_trial * growth * extent_)
+    if (equilibrium_->significant_residual() <= residual_of_rounding ||
+        (equilibrium_->significant_residual() <= residual_of_trial &&
+         error <= error_of_trial * growth * extent_))
         end_trial(growth <= growth_limits(*scene_).moderate);
     else if (!(growth < growth_limits(*scene_).hopeless) || ++steps_of_trial_ > most_steps_of_trial ||
              newton_->move(x_, *equilibrium_) == Iteration::Move::impossible)
         end_trial(false);
-    return has_ended_ = has_ended_ || steps_ >= most_steps;
+    const bool is_large = scene_->net().node_count() >= large_net;
+    return has_ended_ = has_ended_ || steps_ >= (is_large ? most_steps_of_large_net : most_steps);
 }
 
 double LoadLimitSearch::log_size(const Points &x) const {
@@ -225,7 +230,8 @@ double LoadLimitSearch::limit() const {
             (ratio(middle) > wanted ? low : high) = middle;
         }
     const double runaway = log_size(start_) + std::log(runaway_growth);
-    const double further = std::exp(-low * (size2 - size1)) * gain(low, size2, runaway) / gain(low, size1, size2);
+    const double further =
+        std::exp(-low * (size2 - size1)) * gain(low, size2, runaway) / gain(low, size1, size2);
     return std::clamp(part2 + (part2 - part1) * further, carried_, std::max(carried_, most_of_the_whole));
 }
 
@@ -239,9 +245,9 @@ std::string LoadLimitSearch::message() const {
         if (const auto *found = std::get_if<AxialStiffness>(&effect))
             axial = found;
     const bool is_uniform = axial->stiffness.minCoeff() == axial->stiffness.maxCoeff();
-    const std::string stiffness =
-        is_uniform ? "stiffness " + stiffness_text(axial->stiffness[0], axial->per_spring)
-                   : "the members' stiffness";
+    const std::string stiffness = is_uniform
+                                      ? "stiffness " + stiffness_text(axial->stiffness[0], axial->per_spring)
+                                      : "the members' stiffness";
 
     const double most = limit();
     std::string text = "No equilibrium: ";
@@ -256,18 +262,18 @@ std::string LoadLimitSearch::message() const {
     }
     const double growth = shape_.cwiseAbs().maxCoeff() / extent_;
     if (growth > notable_growth)
-        text += " (at " +
-                (loads.size() == 1 ? loads[0].text_of(carried_)
-                                   : plain(rounded_down(100 * carried_)) + " %") +
-                " the net has already grown to " + plain(std::round(growth)) + " times its size)";
+        text +=
+            " (at " +
+            (loads.size() == 1 ? loads[0].text_of(carried_) : plain(rounded_down(100 * carried_)) + " %") +
+            " the net has already grown to " + plain(std::round(growth)) + " times its size)";
     text += ".";
     // With the same loads over stiffness a net has the same shape, unless a support yields.
     if (scene_->elastic_supports().empty())
-        text += is_uniform ? " Or raise the axial stiffness to at least about " +
-                                 stiffness_text(rounded_up(axial->stiffness[0] / most), axial->per_spring) +
-                                 "."
-                           : " Or raise the axial stiffness to at least about " +
-                                 plain(rounded_up(1 / most)) + " times what it is.";
+        text += is_uniform
+                    ? " Or raise the axial stiffness to at least about " +
+                          stiffness_text(rounded_up(axial->stiffness[0] / most), axial->per_spring) + "."
+                    : " Or raise the axial stiffness to at least about " + plain(rounded_up(1 / most)) +
+                          " times what it is.";
     return text;
 }
 

@@ -40,9 +40,9 @@ public:
     }
     /// The same scene with no member stiffer than k r = `most` [N], r its rest length.
     [[nodiscard]] Scene with_stiffness_up_to(double most) const;
-    /// The same scene with every weight, pressure and force times this factor. A shape in one scene's own units
-    /// is the same shape in the other's.
-    /// \throws InvalidInput for a negative factor, or one that takes a load beyond what numbers hold
+    /// The same scene with every weight, pressure and force times this factor. A shape in one scene's own
+    /// units is the same shape in the other's. \throws InvalidInput for a negative factor, or one that takes
+    /// a load beyond what numbers hold
     [[nodiscard]] Scene with_loads_times(double factor) const;
 
     /// Moves supported nodes to where their supports let them be; in the scene's own units.

@@ -112,8 +112,7 @@ void Solver::replace(std::shared_ptr<const Scene> scene) {
         throw InvalidInput("scene has " + std::to_string(scene->net().node_count()) +
                            " nodes, but the shape to go on from has " + std::to_string(x_.rows()));
     const std::scoped_lock lock(working_);
-    const Points shape =
-        has_run_away() ? scene->net().nodes() : scene_->scale().to_metres(x_);
+    const Points shape = has_run_away() ? scene->net().nodes() : scene_->scale().to_metres(x_);
     scene_ = std::move(scene);
     begin(scene_->scale().to_local(shape));
 }
@@ -220,9 +219,10 @@ bool Solver::has_moved_as_a_whole() const {
 
 bool Solver::end_or_look_for_limit() {
     if (has_moved_as_a_whole())
-        return end(Status::no_equilibrium,
-                   "No equilibrium: the net moves away as a whole. Its supports are too weak, or leave it free "
-                   "in a direction in which a load acts: hold it there.");
+        return end(
+            Status::no_equilibrium,
+            "No equilibrium: the net moves away as a whole. Its supports are too weak, or leave it free "
+            "in a direction in which a load acts: hold it there.");
     if (!load_limit_)
         load_limit_ = std::make_unique<LoadLimitSearch>(
             scene_, on_supports(*scene_, scene_->scale().to_local(scene_->net().nodes())));
@@ -244,8 +244,9 @@ bool Solver::look_for_limit() {
         return false;
     }
     report_.seconds = seconds();
-    return !told(report_) && end(Status::cancelled, "Cancelled. The net has no equilibrium under its loads, or "
-                                                    "none was found.");
+    return !told(report_) &&
+           end(Status::cancelled, "Cancelled. The net has no equilibrium under its loads, or "
+                                  "none was found.");
 }
 
 std::string Solver::equilibrium_message() const {
@@ -269,8 +270,9 @@ bool Solver::end_converged() {
     instability_ = find_instability(x_, *equilibrium_);
     if (!instability_ || !instability_->way_out)
         return end(Status::converged, equilibrium_message());
-    const std::string found = " It has found an unstable equilibrium, in which two-way members hold loads up as "
-                              "struts or would buckle.";
+    const std::string found =
+        " It has found an unstable equilibrium, in which two-way members hold loads up as "
+        "struts or would buckle.";
     const std::string advice = " Start from a shape on the other side, or take compression-only members.";
     if (report_.iteration >= iteration_limit())
         return end(Status::iteration_limit, "Stopped at the limit of " + std::to_string(iteration_limit()) +

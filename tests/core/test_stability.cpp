@@ -233,7 +233,8 @@ TEST(Stability, TheWayOutCurvesDownwardsAndLetsTheLoadsWork) {
 }
 
 TEST(Stability, NothingIsFactorisedWhereNoMemberPushes) {
-    for (const auto &scene : {warped_roof(), catenary(20, 10, 12, 100, 1), hemisphere(12, 6, 5, 2e5, true, 20)}) {
+    for (const auto &scene :
+         {warped_roof(), catenary(20, 10, 12, 100, 1), hemisphere(12, 6, 5, 2e5, true, 20)}) {
         const auto result = solved(scene);
         ASSERT_EQ(result.status, Status::converged);
         Equilibrium equilibrium(scene);
