@@ -19,8 +19,8 @@ constexpr double residual_of_trial = 1e-4;
 constexpr double error_of_trial = 1e-3;
 // So small that the position error, which rounding may hide, need not be known.
 constexpr double residual_of_rounding = 1e-10;
-// Parts of the largest part carried from which the growth is told.
-constexpr std::array<double, 2> lesser_parts{0.93, 0.86};
+// The growth is told from parts that differ by as much as this.
+constexpr double lesser_part = 0.95;
 // The whole was refused.
 constexpr double most_of_the_whole = 0.98;
 constexpr double first_part = 0.25;
@@ -151,11 +151,6 @@ double LoadLimitSearch::log_size(const Points &x) const {
 }
 
 void LoadLimitSearch::end_trial(bool is_carried) {
-    if (is_closed_) {
-        if (is_carried)
-            growths_.push_back({part_, log_size(x_)});
-        return look_next();
-    }
     if (is_carried) {
         carried_ = part_;
         // What was refused without a start, or from farther below, may be no limit at all.
@@ -164,57 +159,49 @@ void LoadLimitSearch::end_trial(bool is_carried) {
             refused_from_ = 0;
         }
         shape_ = x_;
+        growths_.push_back({part_, log_size(x_)});
     } else {
         if (carried_ > 0)
             stride_ = short_stride;
         refused_ = part_;
         refused_from_ = carried_;
     }
-    look_next();
-}
 
-void LoadLimitSearch::look_next() {
-    if (is_closed_) {
-        const std::size_t known = growths_.size();
-        has_ended_ = known > lesser_parts.size() || growths_.back().part < part_;
-        if (!has_ended_)
-            try_part(lesser_parts[known - 1] * carried_);
-        return;
-    }
     if (carried_ >= 1 || refused_ < least_part) {
         has_ended_ = true;
         return;
     }
     if (carried_ == 0)
         return try_part(refused_ * refused_);
-    const double growth = shape_.cwiseAbs().maxCoeff() / extent_;
-    if (growth < growth_limits(*scene_).telling) {
+    if (growth() < growth_limits(*scene_).telling) {
         if (refused_from_ == 0)
             return try_part(refused_);
         if (refused_ > narrow_bracket * carried_)
             return try_part(std::sqrt(carried_ * refused_));
         if (refused_from_ < close_below * refused_)
             return try_part(refused_);
-        has_ended_ = true;
-        return;
     }
-    if (scene_->net().node_count() >= large_net) {
-        has_ended_ = true;
-        return;
-    }
-    is_closed_ = true;
-    growths_ = {{carried_, log_size(shape_)}};
-    try_part(lesser_parts[0] * carried_);
+    has_ended_ = true;
+}
+
+double LoadLimitSearch::growth() const {
+    return shape_.cwiseAbs().maxCoeff() / extent_;
 }
 
 double LoadLimitSearch::limit() const {
-    if (growths_.size() <= lesser_parts.size())
+    if (scene_->net().node_count() >= large_net || growth() < growth_limits(*scene_).telling)
+        return carried_;
+    std::vector<Growth> told{growths_.back()};
+    for (auto earlier = growths_.rbegin(); earlier != growths_.rend() && told.size() < 3; ++earlier)
+        if (earlier->part <= lesser_part * told.back().part)
+            told.push_back(*earlier);
+    if (told.size() < 3)
         return carried_;
     // Near a limit λ* of order p a net grows as size = C (λ* - λ)^-p, so that λ = λ* - A exp(-μ ln size), μ =
     // 1/p; with μ = 0, which is growth without a limit, λ is linear in ln size.
-    const auto [part2, size2] = growths_[0];
-    const auto [part1, size1] = growths_[1];
-    const auto [part0, size0] = growths_[2];
+    const auto [part2, size2] = told[0];
+    const auto [part1, size1] = told[1];
+    const auto [part0, size0] = told[2];
     const auto gain = [](double mu, double from, double to) { // of λ, relative to A exp(-μ from)
         return mu == 0 ? to - from : -std::expm1(-mu * (to - from)) / mu;
     };
@@ -260,12 +247,11 @@ std::string LoadLimitSearch::message() const {
         for (std::size_t k = 0; k < loads.size(); ++k)
             text += (k > 0 ? ", " : "") + loads[k].name + " " + loads[k].text_of(most);
     }
-    const double growth = shape_.cwiseAbs().maxCoeff() / extent_;
-    if (growth > notable_growth)
+    if (growth() > notable_growth)
         text +=
             " (at " +
             (loads.size() == 1 ? loads[0].text_of(carried_) : plain(rounded_down(100 * carried_)) + " %") +
-            " the net has already grown to " + plain(std::round(growth)) + " times its size)";
+            " the net has already grown to " + plain(std::round(growth())) + " times its size)";
     text += ".";
     // With the same loads over stiffness a net has the same shape, unless a support yields.
     if (scene_->elastic_supports().empty())

@@ -59,7 +59,7 @@ private:
     };
 
     void try_part(double part);
-    void look_next();
+    [[nodiscard]] double growth() const;
     [[nodiscard]] double log_size(const Points &x) const;
     void end_trial(bool is_carried);
 
@@ -71,8 +71,7 @@ private:
     double refused_from_ = 0; ///< part carried by the shape from which `refused_` was tried last
     double stride_;           ///< from a part carried to the next above that is tried
     bool has_ended_ = false;
-    bool is_closed_ = false;      ///< the limit is known but for how the net grows there
-    std::vector<Growth> growths_; ///< falling, once it is closed
+    std::vector<Growth> growths_; ///< of every part carried, rising
     int steps_ = 0;
 
     // The present trial.
