@@ -56,6 +56,20 @@ lint: configure ## clang-format, clang-tidy, black, flake8: changes nothing
 format: setup ## let clang-format and black rewrite the sources
 	@tools/format.sh
 
+##@ Measuring
+# BENCH_QUICK=1 stops at 10⁴ nodes and leaves out the relaxation: minutes instead of a quarter of an hour.
+# BENCH_FILTER is a regular expression: 'cold/S/', 'factor', 'forces|tangent'. A solve that did not converge
+# (core_bench ends with 1) is for the table to tell.
+BENCH_QUICK :=
+BENCH_FILTER := .
+bench: configure ## time the core: a table, and a CSV file and a plot in build/bench/ (BENCH_QUICK=1)
+	@cmake --build build/release --target core_bench
+	@mkdir -p build/bench
+	build/release/bench/core_bench --extent=$(if $(BENCH_QUICK),quick,full) --csv=build/bench/results.csv \
+	    --benchmark_filter='$(BENCH_FILTER)' || test $$? -eq 1
+	@$(PYTHON) bench/table.py build/bench/results.csv
+	@$(PYTHON) bench/plot.py build/bench/results.csv build/bench/results.png
+
 ##@ Tests
 test: lint build test-core test-sanitize test-house test-python test-freecad test-gui ## all of it: lint, build and every test below
 	@echo "make test: all passed"
@@ -84,5 +98,5 @@ test-gui: build ## the workbench's windows, on a virtual display
 clean: ## remove build/ and the compiled module
 	rm -rf build src/freecad_wb/funicular/_core*.so
 
-.PHONY: help demo gui install setup configure build lint format test test-core test-sanitize test-house \
+.PHONY: help demo gui install setup configure build lint format bench test test-core test-sanitize test-house \
 	test-python test-freecad test-gui clean
