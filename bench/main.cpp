@@ -58,16 +58,15 @@ int main(int argc, char **argv) {
         std::cerr << "core_bench: --extent is '" << extent << "'; choose tiny, quick or full\n";
         return 2;
     }
+    int count = static_cast<int>(arguments.size());
+    benchmark::Initialize(&count, arguments.data());
+    if (benchmark::ReportUnrecognizedArguments(count, arguments.data()))
+        return 2;
     std::ofstream csv(path);
     if (!csv) {
         std::cerr << "core_bench: cannot write " << path << '\n';
         return 2;
     }
-
-    int count = static_cast<int>(arguments.size());
-    benchmark::Initialize(&count, arguments.data());
-    if (benchmark::ReportUnrecognizedArguments(count, arguments.data()))
-        return 2;
     funicular::bench::register_solves(extents.at(extent));
     funicular::bench::register_effects(extents.at(extent));
     funicular::bench::CsvReporter reporter(csv, std::cerr);

@@ -100,19 +100,20 @@ bool CsvReporter::ReportContext(const Context &context) {
     return true;
 }
 
-void CsvReporter::write(const std::string &name, const std::string &status, const Numbers &numbers) {
+void CsvReporter::write(const std::string &name, const std::string &label, const Numbers &numbers) {
     for (const auto &[counter, value] : numbers)
         if (std::find(columns.begin(), columns.end(), counter) == columns.end())
             throw std::logic_error("no column is named after the counter '" + counter + "'");
 
-    std::array<std::string, 4> parts; // kind, scene, nodes, backend
-    std::istringstream whole(name);
-    for (auto &part : parts)
-        std::getline(whole, part, '/');
+    std::string kind, scene, status, backend;
+    std::istringstream words(name);
+    std::getline(words, kind, '/');
+    std::getline(words, scene, '/');
+    std::istringstream(label) >> status >> backend;
+    all_well_ = all_well_ && is_well(status);
     const std::string met = is_met(status, numbers);
     // Everything is written at once and flushed, so that a run that is broken off leaves what it has.
-    csv_ << parts[0] << ',' << parts[1] << ',' << parts[3] << ',' << status << ',' << met
-         << std::setprecision(10);
+    csv_ << kind << ',' << scene << ',' << backend << ',' << status << ',' << met << std::setprecision(10);
     for (const char *column : columns) {
         csv_ << ',';
         if (const auto found = numbers.find(column); found != numbers.end())
@@ -120,7 +121,7 @@ void CsvReporter::write(const std::string &name, const std::string &status, cons
     }
     csv_ << std::endl;
 
-    progress_ << name << ": " << status << std::setprecision(4);
+    progress_ << name << ": " << label << std::setprecision(4);
     for (const char *told : {"seconds", "F_seconds", "ratio", "growth", "ns_per_node", "bytes_per_node"})
         if (const auto found = numbers.find(told); found != numbers.end())
             progress_ << ", " << told << ' ' << found->second;
@@ -135,11 +136,11 @@ void CsvReporter::ReportRuns(const std::vector<Run> &runs) {
         for (const auto &[name, counter] : run.counters)
             numbers[name] = counter.value;
         const std::string name = run.run_name.function_name;
-        all_well_ = all_well_ && is_well(run.report_label);
         write(name, run.report_label, numbers);
         if (name.starts_with("cold/S/") && numbers.at("nodes") >= least_nodes_of_growth)
-            seconds_of_large_sheets_[numbers.at("nodes")] =
-                is_well(run.report_label) ? numbers.at("seconds") : std::numeric_limits<double>::quiet_NaN();
+            seconds_of_large_sheets_[numbers.at("nodes")] = run.report_label.starts_with("converged")
+                                                                ? numbers.at("seconds")
+                                                                : std::numeric_limits<double>::quiet_NaN();
     }
 }
 

@@ -12,9 +12,9 @@ namespace funicular::bench {
 
 /// Writes one line of CSV for every benchmark, and says on `progress` how far it has come.
 ///
-/// A benchmark is named kind/scene/nodes (kind/scene/nodes/backend for a factorisation) and has its status as
-/// label. Its numbers are its counters, under the names of the columns; one called target_X is the most that
-/// X may be.
+/// A benchmark is named kind/scene/nodes. Its label is its status, "converged" or "measured" if all is well,
+/// and the factorisation that made F where there is one. Its numbers are its counters, under the names of the
+/// columns; one called target_X is the most that X may be.
 class CsvReporter : public benchmark::BenchmarkReporter {
 public:
     CsvReporter(std::ostream &csv, std::ostream &progress);
@@ -30,7 +30,7 @@ public:
 
 private:
     using Numbers = std::map<std::string, double>;
-    void write(const std::string &name, const std::string &status, const Numbers &numbers);
+    void write(const std::string &name, const std::string &label, const Numbers &numbers);
 
     std::ostream &csv_;
     std::ostream &progress_;

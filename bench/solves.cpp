@@ -13,6 +13,7 @@
 #include <cmath>
 #include <exception>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <optional>
 #include <string>
@@ -55,7 +56,7 @@ const Points &solution(const std::string &scene, Index node_count) {
     return known[place];
 }
 
-/// Registers work that fills in its counters and returns its status. It measures itself, so that Google
+/// Registers work that fills in its counters and returns its label. It measures itself, so that Google
 /// Benchmark runs it once.
 void add(const std::string &name, const std::function<std::string(Counters &)> &work) {
     benchmark::RegisterBenchmark(name.c_str(),
@@ -114,6 +115,7 @@ public:
 
     [[nodiscard]] const Result &last() const { return last_; }
 
+    /// Fills in the counters and returns the label.
     std::string report(Counters &counters) const {
         const Spread cpu = spread(cpu_);
         counters["nodes"] = static_cast<double>(last_.nodes.rows());
@@ -140,7 +142,7 @@ public:
             counters["F_solve"] = median([](const FactorTimes &times) { return times.solve; });
             counters["ratio"] = cpu.median / counters["F_seconds"];
         }
-        return status_;
+        return status_ + " " + backend_;
     }
 
 private:
@@ -276,7 +278,7 @@ void add_factorisations(const std::string &scene_name, Index node_count) {
             counters["F_solve"] = spread(solve).median;
             counters["residual"] = residual;
             counters["peak_megabytes"] = peak_memory();
-            return std::string(std::isfinite(residual) ? "measured" : "failed");
+            return (std::isfinite(residual) ? "measured " : "failed ") + backend;
         });
 }
 

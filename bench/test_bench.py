@@ -13,7 +13,16 @@ import table
 
 NEEDED = {
     "rise": {"rise", "rise_error", "target_rise_error"},
-    "cold": {"seconds", "F_seconds", "ratio", "iterations", "residual", "position_error", "peak_megabytes"},
+    "cold": {
+        "backend",
+        "seconds",
+        "F_seconds",
+        "ratio",
+        "iterations",
+        "residual",
+        "position_error",
+        "peak_megabytes",
+    },
     "warm": {"seconds", "F_seconds", "ratio"},
     "factor": {"backend", "F_analyse", "F_factorise", "F_solve"},
     "forces": {"ns_per_node", "bytes_per_node"},

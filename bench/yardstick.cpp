@@ -9,8 +9,10 @@
 #include <Eigen/CholmodSupport>
 #endif
 
+#include <algorithm>
 #include <functional>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -23,6 +25,7 @@ using Factorisation = std::function<FactorTimes(const Matrix &, const Eigen::Vec
 
 // Of the members' mean stiffness.
 constexpr double notional_pull = 1e-9;
+constexpr double close_to_best = 2;
 
 template <class Solver>
 FactorTimes run_with(Solver &solver, const Matrix &matrix, const Eigen::VectorXd &right) {
@@ -95,14 +98,22 @@ FactorTimes Yardstick::run(const std::string &backend) const {
 }
 
 std::string Yardstick::best() const {
-    std::string best;
+    std::map<std::string, double> totals;
     double least = std::numeric_limits<double>::infinity();
+    const auto look_at = [&](const std::string &backend) {
+        double &total = totals.try_emplace(backend, std::numeric_limits<double>::infinity()).first->second;
+        total = std::min(total, run(backend).total());
+        least = std::min(least, total);
+    };
     for (const auto &backend : backends())
-        if (const double total = run(backend).total(); total < least) {
-            best = backend;
-            least = total;
-        }
-    return best;
+        look_at(backend);
+    // A hiccup of the machine must not decide between those that are close.
+    for (const auto &backend : backends())
+        if (totals[backend] < close_to_best * least)
+            look_at(backend);
+    return std::min_element(totals.begin(), totals.end(),
+                            [](const auto &a, const auto &b) { return a.second < b.second; })
+        ->first;
 }
 
 } // namespace funicular::bench

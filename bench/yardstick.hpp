@@ -31,7 +31,7 @@ public:
     [[nodiscard]] static std::vector<std::string> backends();
     /// Runs one of them, the analysis included.
     [[nodiscard]] FactorTimes run(const std::string &backend) const;
-    /// The one with the smallest total, each run once.
+    /// The one with the smallest total.
     [[nodiscard]] std::string best() const;
 
 private:
