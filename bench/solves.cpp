@@ -47,7 +47,8 @@ SolveOptions options(double wished_accuracy = accuracy, double wished_tolerance 
     return chosen;
 }
 
-/// Nodes of a solution relative to the net's centre [m]; what was solved once is remembered.
+/// Nodes of a solution relative to the net's centre [m]; what was solved once is remembered. Where the solver
+/// does not converge it is the shape it came to: a factorisation takes as long there.
 const Points &solution(const std::string &scene, Index node_count) {
     static std::map<std::pair<std::string, Index>, Points> known;
     const auto place = std::pair{scene, node_count};
