@@ -3,7 +3,7 @@
 
 
 def read(source, content):
-    for keyword, *words in source.text_lines(content):
+    for keyword, *words in source.text_lines(content, continued=True):
         if keyword == "v":
             source.add_node(words)
         elif keyword == "f":

@@ -16,13 +16,13 @@ def read(source, content):
         raise source.error("binary OFF files are not read")
     if len(words) < 2:
         raise source.error("the file does not start with 'OFF' and the numbers of vertices and faces")
-    vertices = source.whole(words[0], "the number of vertices")
-    faces = source.whole(words[1], "the number of faces")
+    vertices = source.count(words[0], "the number of vertices")
+    faces = source.count(words[1], "the number of faces")
     for number in range(vertices):
         source.add_node(source.next_row(rows, f"vertex {number} of {vertices}"))
     for number in range(faces):
         words = source.next_row(rows, f"face {number} of {faces}")
-        corners = source.whole(words[0], "the number of corners")
+        corners = source.count(words[0], "the number of corners")
         if len(words) <= corners:
             raise source.error(f"face {number} has {len(words) - 1} corners instead of {corners}")
         source.add_face([source.whole(word, "a vertex index") for word in words[1 : corners + 1]])

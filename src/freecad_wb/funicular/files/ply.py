@@ -21,12 +21,14 @@ def read(source, content):
     if not content.startswith(b"ply") or not end:
         raise source.error("the file does not start with 'ply' and a header that ends with 'end_header'")
     form, elements = _header(source, content[: end.end()])
+    takers = [_taker(source, element, properties) for element, _, properties in elements]
     if form == "ascii":
         items = _Text(source, content)
     else:
         items = _Binary(source, content, end.end(), "<" if form == "binary_little_endian" else ">")
-    for element, count, properties in elements:
-        take = _taker(source, element, [name for name, _, _ in properties])
+    for take, (element, count, properties) in zip(takers, elements):
+        if not properties:
+            continue  # its items have nothing to read, however many it says there are
         for number in range(count):
             take(items.next(f"{element} {number}", properties))
 
@@ -39,8 +41,10 @@ def _header(source, header):
             if words[0] == "format" and words[1] in ("ascii", "binary_little_endian", "binary_big_endian"):
                 form = words[1]
             elif words[0] == "element":
-                elements.append((words[1], source.whole(words[2], "the number of elements"), []))
+                elements.append((words[1], source.count(words[2], "the number of elements"), []))
             elif words[0] == "property" and words[1] == "list":
+                if _TYPES[words[2]] in "fd":
+                    raise KeyError(words[2])
                 elements[-1][2].append((words[4], _TYPES[words[2]], _TYPES[words[3]]))
             elif words[0] == "property":
                 elements[-1][2].append((words[2], None, _TYPES[words[1]]))
@@ -53,20 +57,24 @@ def _header(source, header):
     return form, elements
 
 
-def _taker(source, element, names):
+def _taker(source, element, properties):
     """What to do with an item of this element: a function of its values by name."""
 
-    def name_of(*choices):
-        for name in choices:
-            if name in names:
-                return name
+    def name_of(*choices, is_list=False, kinds="bBhHiI"):
+        for name, count, kind in properties:
+            if name not in choices:
+                continue
+            if (count is not None) != is_list or kind not in kinds:
+                wanted = "a list of integers" if is_list else "one number" if "d" in kinds else "one integer"
+                raise source.error(f"property '{name}' of element '{element}' should be {wanted}")
+            return name
         raise source.error(f"the header's element '{element}' has no property '{choices[0]}'")
 
     if element == "vertex":
-        xyz = [name_of(name) for name in "xyz"]
+        xyz = [name_of(name, kinds="bBhHiIfd") for name in "xyz"]
         return lambda values: source.add_node([values[name] for name in xyz])
     if element == "face":
-        corners = name_of("vertex_indices", "vertex_index")
+        corners = name_of("vertex_indices", "vertex_index", is_list=True)
         return lambda values: source.add_face(values[corners])
     if element == "edge":
         ends = [name_of("vertex1"), name_of("vertex2")]
@@ -87,7 +95,7 @@ class _Text:
         words = self.source.next_row(self.rows, what)
         values = {}
         for name, count, kind in properties:
-            length = 1 if count is None else self.number(words.pop(0) if words else "", count)
+            length = 1 if count is None else self.source.count(words.pop(0) if words else "", "a count")
             if len(words) < length:
                 raise self.source.error(f"{what} has too few values")
             numbers = [self.number(word, kind) for word in words[:length]]
@@ -96,7 +104,7 @@ class _Text:
         return values
 
     def number(self, word, kind):
-        return self.source.real(word) if kind in "fd" else self.source.whole(word, "a count or an index")
+        return self.source.real(word) if kind in "fd" else self.source.whole(word, "an index")
 
 
 class _Binary:
@@ -114,6 +122,8 @@ class _Binary:
             raise self.source.error("the file ends before or within it") from None
 
     def unpack(self, kind, count=1):
+        if count < 0:
+            raise self.source.error(f"a list of {count} values: their number cannot be negative")
         layout = f"{self.order}{count}{kind}"
         values = struct.unpack_from(layout, self.content, self.offset)
         self.offset += struct.calcsize(layout)

@@ -23,15 +23,15 @@ class Source:
             return ValueError(f"{self.path}:{place}: {message}")
         return ValueError(f"{self.path}: {f'{place}: ' if place else ''}{message}")
 
-    def text_lines(self, content):
+    def text_lines(self, content, continued=False):
         """The words of each line that has any, comments (#) taken away; `place` follows.
 
-        A backslash at a line's end continues it; the line's number is then that of its last part.
+        If `continued`, a backslash at a line's end continues it; its number is then that of its last part.
         """
         begun = ""
         for number, line in enumerate([*content.decode("utf-8-sig", "replace").split("\n"), ""], 1):
             line = begun + line.split("#", 1)[0].rstrip()
-            begun = line[:-1] + " " if line.endswith("\\") else ""
+            begun = line[:-1] + " " if continued and line.endswith("\\") else ""
             words = line.split()
             if words and not begun:
                 self.place = number
@@ -46,13 +46,19 @@ class Source:
 
     def whole(self, word, what):
         try:
-            return int(word)
+            return int(_plain(word))
         except ValueError:
             raise self.error(f"{what} should be a whole number, not '{word}'") from None
 
+    def count(self, word, what):
+        count = self.whole(word, what)
+        if count < 0:
+            raise self.error(f"{what} is {count}: it cannot be negative")
+        return count
+
     def real(self, word):
         try:
-            return float(word)
+            return float(_plain(word))
         except ValueError:
             raise self.error(f"a coordinate should be a number, not '{word}'") from None
 
@@ -104,3 +110,10 @@ class Source:
         if len(set(indices)) < len(indices):
             twice = next(index for index in indices if indices.count(index) > 1)
             raise self.error(f"{what} names vertex {twice} (counted from 0) twice", place)
+
+
+def _plain(word):
+    """Python reads 1_000, and the digits of every script: no mesh file means them. Numbers stay."""
+    if isinstance(word, str) and ("_" in word or not word.isascii()):
+        raise ValueError
+    return word

@@ -31,19 +31,22 @@ def read(source, content):
             "this is neither a text STL ('solid …') nor a binary one of the length that it states"
         )
     corners = source.finite_nodes()
-    source.nodes, ids = _weld(corners)
+    with np.errstate(over="ignore"):
+        size = np.linalg.norm(np.ptp(corners, axis=0)) if len(corners) else 0.0
+    if not np.isfinite(size):
+        raise source.error("the vertices span more than a floating-point number holds", "")
+    source.nodes, ids = _weld(corners, WELD * size)
     # A triangle that welding closes has no area and says nothing about the surface.
     source.faces = [(None, tuple(face)) for face in ids.reshape(-1, 3).tolist() if len(set(face)) == 3]
 
 
-def _weld(points):
-    """Points within WELD of the box's diagonal of each other, by coordinate, become the first of them.
+def _weld(points, tolerance):
+    """Points within the tolerance of each other, by coordinate, become the first of them.
 
     Returns the points that stay, in order of first appearance, and for every point the index of its own.
     """
     if not len(points):
         return points, np.zeros(0, dtype=np.int64)
-    tolerance = WELD * np.linalg.norm(np.ptp(points, axis=0))
     # In cells as wide as the tolerance a point can only meet one of its own or of the 26 cells around.
     cells = np.floor((points - points.min(axis=0)) / (tolerance or 1.0)).astype(np.int64).tolist()
     kept, kept_in_cell, ids = [], {}, np.empty(len(points), dtype=np.int64)
