@@ -9,6 +9,6 @@ _EITHER = {
     "print_blob": True,
     "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much, HealthCheck.data_too_large],
 }
-settings.register_profile("test", max_examples=60, derandomize=True, database=None, **_EITHER)
-settings.register_profile("soak", max_examples=500, **_EITHER)
+settings.register_profile("test", max_examples=100, derandomize=True, database=None, **_EITHER)
+settings.register_profile("soak", max_examples=200, **_EITHER)
 settings.load_profile("test")
