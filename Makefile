@@ -95,8 +95,16 @@ test-freecad: build ## the document objects, in headless FreeCAD
 test-gui: build ## the workbench's windows, on a virtual display
 	$(DISPLAY_RUN) $(PYTEST) tests/gui
 
+# In seconds: `make soak SOAK_SECONDS=28800` for a night.
+SOAK_SECONDS := 600
+
+soak: build ## random scenes and mesh files for SOAK_SECONDS (600): new ones every time
+	@$(call configure_preset,fuzz) $(or_show_log)
+	@cmake --build build/fuzz --target fuzz_scene
+	PYTHON=$(PYTHON) tests/fuzz/soak.sh $(SOAK_SECONDS)
+
 clean: ## remove build/ and the compiled module
 	rm -rf build src/freecad_wb/funicular/_core*.so
 
 .PHONY: help demo gui install setup configure build lint format bench test test-core test-sanitize test-house \
-	test-python test-freecad test-gui clean
+	test-python test-freecad test-gui soak clean
