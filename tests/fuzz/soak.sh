@@ -26,7 +26,7 @@ properties() {
 }
 
 # No small input takes or holds as much as this.
-limits=(-max_total_time=$share -timeout=20 -rss_limit_mb=2048 -print_final_stats=1)
+limits=(-max_total_time=$share -timeout=20 -rss_limit_mb=2048 -verbosity=0 -print_final_stats=1)
 
 scenes() {
     mkdir -p build/soak/scenes
