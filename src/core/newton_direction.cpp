@@ -65,6 +65,7 @@ void NewtonDirection::compute(const Points &x, Equilibrium &equilibrium, const G
     floor_ = floor;
     const double accuracy = wished_accuracy(equilibrium.relative_residual(), goal.tolerance);
     is_newton_step_ = false;
+    motion_.resize(x.rows(), 3);
     if (!is_factor_) {
         equilibrium.linearise(x, {.floor = floor, .convex = true});
         is_newton_step_ = preconditioner_->prepare(x, equilibrium, floor) &&
@@ -78,13 +79,15 @@ void NewtonDirection::compute(const Points &x, Equilibrium &equilibrium, const G
         if (!is_stale_)
             is_newton_step_ = iterate(x, equilibrium, floor, accuracy, most_with_kept_factor);
         if (!is_newton_step_) {
-            direction_.setZero(residual.size());
-            if (prepare_factor(x, equilibrium, floor))
+            const bool is_prepared = prepare_factor(x, equilibrium, floor);
+            if (is_prepared)
                 is_newton_step_ = iterate(x, equilibrium, floor, accuracy, most_with_new_factor);
             if (!is_newton_step_ && equilibrium.relative_residual() < close_to_equilibrium)
                 is_newton_step_ = solve_directly(x, equilibrium, floor);
-            if (!is_newton_step_)
+            if (!is_newton_step_ && is_prepared)
                 preconditioner_->apply(residual, direction_);
+            else if (!is_newton_step_)
+                direction_.setZero(residual.size());
         }
         is_stale_ = !is_newton_step_ || progress_.iterations > most_to_keep_factor;
     }
@@ -112,7 +115,6 @@ bool NewtonDirection::iterate(const Points &x, Equilibrium &equilibrium, double 
     direction_.setZero(residual.size());
     progress_ = conjugate_residuals_.solve(
         [&](const Eigen::VectorXd &unknowns, Eigen::VectorXd &image) {
-            motion_.resize(equilibrium.scene().net().node_count(), 3);
             freedoms.expand(unknowns, motion_);
             equilibrium.tangent_product(x, motion_, product_);
             freedoms.reduce(product_, image);
