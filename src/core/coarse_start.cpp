@@ -58,10 +58,11 @@ std::vector<EffectDescription> passed_on(const std::vector<EffectDescription> &e
 
 /// The scene on each level, as far as it can be solved there.
 std::vector<std::shared_ptr<const Scene>> coarser_scenes(const Scene &scene,
-                                                         const std::vector<LatticeLevel> &levels) {
+                                                         const CoarserLevels &levels) {
     std::vector<std::shared_ptr<const Scene>> scenes;
     auto effects = scene.effects();
-    for (const LatticeLevel &level : levels) {
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        const LatticeLevel &level = levels[k];
         if (level.net->node_count() < least_nodes)
             break;
         effects = passed_on(effects, level);
@@ -77,15 +78,15 @@ std::vector<std::shared_ptr<const Scene>> coarser_scenes(const Scene &scene,
 
 } // namespace
 
-CoarseToFine::Stage::Stage(std::shared_ptr<const Scene> scene, const Points &metres)
-    : equilibrium(std::move(scene)), newton(equilibrium, Newton::Linear::on_lattice),
+CoarseToFine::Stage::Stage(std::shared_ptr<const Scene> scene, const Points &metres, CoarserLevels levels)
+    : equilibrium(std::move(scene)), newton(equilibrium, std::move(levels)),
       x(equilibrium.scene().on_supports(equilibrium.scene().scale().to_local(metres))) {
     equilibrium.evaluate(x);
 }
 
-CoarseToFine::CoarseToFine(const Equilibrium &equilibrium)
-    : levels_(coarser_levels(equilibrium.scene())), scenes_(coarser_scenes(equilibrium.scene(), levels_)),
-      level_(scenes_.size()), newton_(equilibrium, Newton::Linear::on_lattice) {}
+CoarseToFine::CoarseToFine(const Equilibrium &equilibrium, CoarserLevels levels)
+    : levels_(std::move(levels)), scenes_(coarser_scenes(equilibrium.scene(), levels_)),
+      level_(scenes_.size()), newton_(equilibrium, levels_) {}
 
 Points CoarseToFine::metres_on_level(std::size_t level, const Points &fine) const {
     Points nodes = fine;
@@ -114,13 +115,16 @@ CoarseToFine::Progress CoarseToFine::advance(Stage &stage) {
     return stage.newton.move(stage.x, stage.equilibrium) == Move::made ? Progress::under_way : Progress::lost;
 }
 
+void CoarseToFine::enter_stage(const Points &metres) {
+    stage_ = std::make_unique<Stage>(scenes_[level_ - 1], metres, levels_.below(level_ - 1));
+}
+
 Iteration::Move CoarseToFine::move(Points &x, Equilibrium &equilibrium) {
     if (level_ == 0)
         return newton_.move(x, equilibrium);
     const Scale &scale = equilibrium.scene().scale();
     if (!stage_)
-        stage_ =
-            std::make_unique<Stage>(scenes_[level_ - 1], metres_on_level(level_ - 1, scale.to_metres(x)));
+        enter_stage(metres_on_level(level_ - 1, scale.to_metres(x)));
     const Progress progress = advance(*stage_);
     if (progress == Progress::under_way)
         return Move::made;
@@ -135,7 +139,7 @@ Iteration::Move CoarseToFine::move(Points &x, Equilibrium &equilibrium) {
     Points finer;
     levels_[--level_].coarsening.interpolate(metres, finer);
     if (level_ > 0) {
-        stage_ = std::make_unique<Stage>(scenes_[level_ - 1], finer);
+        enter_stage(finer);
     } else {
         stage_.reset();
         x = equilibrium.scene().on_supports(scale.to_local(finer));

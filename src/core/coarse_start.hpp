@@ -15,27 +15,30 @@ namespace funicular {
 /// made where they cost nothing; the scene's own net needs a few steps only.
 class CoarseToFine final : public Iteration {
 public:
-    explicit CoarseToFine(const Equilibrium &equilibrium);
+    /// \param levels coarser nets of the scene's
+    CoarseToFine(const Equilibrium &equilibrium, CoarserLevels levels);
 
     /// Infinite before the scene's own net is reached.
     [[nodiscard]] double position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) override;
     /// Moves a coarser net until all have come to rest, and the scene's own from there.
     Move move(Points &x, Equilibrium &equilibrium) override;
+    [[nodiscard]] bool restart() override { return level_ == 0 && newton_.restart(); }
 
 private:
     /// A coarser net on its way to equilibrium.
     struct Stage {
-        explicit Stage(std::shared_ptr<const Scene> scene, const Points &metres);
+        Stage(std::shared_ptr<const Scene> scene, const Points &metres, CoarserLevels levels);
         Equilibrium equilibrium;
         Newton newton;
         Points x;
         int steps = 0;
     };
     enum class Progress { under_way, at_rest, lost };
+    void enter_stage(const Points &metres);
     static Progress advance(Stage &stage);
     [[nodiscard]] Points metres_on_level(std::size_t level, const Points &fine) const;
 
-    std::vector<LatticeLevel> levels_;
+    CoarserLevels levels_;
     /// Scene of each level.
     std::vector<std::shared_ptr<const Scene>> scenes_;
     /// Coarser nets that are still to be solved.

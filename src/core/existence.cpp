@@ -125,7 +125,7 @@ void LoadLimitSearch::try_part(double part) {
     equilibrium_ =
         std::make_unique<Equilibrium>(std::make_shared<const Scene>(scene_->with_loads_times(part)));
     equilibrium_->evaluate(x_);
-    newton_ = std::make_unique<Newton>(*equilibrium_, Newton::Linear::on_lattice);
+    newton_ = std::make_unique<Newton>(*equilibrium_);
     steps_of_trial_ = 0;
 }
 

@@ -44,7 +44,7 @@ std::vector<Support> passed_on(const std::vector<Support> &supports, const Coars
 
 } // namespace
 
-std::vector<LatticeLevel> coarser_levels(const Scene &scene) {
+CoarserLevels coarser_levels(const Scene &scene) {
     std::vector<LatticeLevel> levels;
     const Net *fine = &scene.net();
     Eigen::VectorXd stiffness = scene.axial().stiffness() * (scene.scale().force / scene.scale().length);
@@ -80,7 +80,7 @@ std::vector<LatticeLevel> coarser_levels(const Scene &scene) {
                           .supports = supports,
                           .lines = lines});
     }
-    return levels;
+    return CoarserLevels(std::make_shared<const std::vector<LatticeLevel>>(std::move(levels)));
 }
 
 } // namespace funicular

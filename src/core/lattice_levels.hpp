@@ -5,6 +5,7 @@
 #include "scene.hpp"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace funicular {
@@ -23,8 +24,25 @@ struct LatticeLevel {
     Eigen::VectorXd lines;
 };
 
+/// Coarser nets of one net, or of one of them, each thinner than the one before. Made once and shared.
+class CoarserLevels {
+public:
+    CoarserLevels() = default;
+    explicit CoarserLevels(std::shared_ptr<const std::vector<LatticeLevel>> levels, std::size_t first = 0)
+        : levels_(std::move(levels)), first_(first) {}
+    [[nodiscard]] bool empty() const { return size() == 0; }
+    [[nodiscard]] std::size_t size() const { return levels_ ? levels_->size() - first_ : 0; }
+    [[nodiscard]] const LatticeLevel &operator[](std::size_t k) const { return (*levels_)[first_ + k]; }
+    /// Those below level k.
+    [[nodiscard]] CoarserLevels below(std::size_t k) const { return CoarserLevels(levels_, first_ + k + 1); }
+
+private:
+    std::shared_ptr<const std::vector<LatticeLevel>> levels_;
+    std::size_t first_ = 0;
+};
+
 /// Nets of every second, fourth, … line of the scene's, from the finest to the coarsest; none if the net was
 /// not made on a quad lattice. Ends before a net that would fold onto itself.
-[[nodiscard]] std::vector<LatticeLevel> coarser_levels(const Scene &scene);
+[[nodiscard]] CoarserLevels coarser_levels(const Scene &scene);
 
 } // namespace funicular

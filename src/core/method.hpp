@@ -34,6 +34,9 @@ public:
     ///
     /// \pre position_error was asked at x
     virtual Move move(Points &x, Equilibrium &equilibrium) = 0;
+    /// Begins anew, with another scene on the same net and supports, and keeps what is still of use.
+    /// \returns whether it can
+    [[nodiscard]] virtual bool restart() { return false; }
 };
 
 } // namespace funicular

@@ -48,10 +48,11 @@ struct Multigrid::Level {
 
 Multigrid::~Multigrid() = default;
 
-Multigrid::Multigrid(const Scene &scene, const std::vector<LatticeLevel> &levels) {
+Multigrid::Multigrid(const Scene &scene, const CoarserLevels &levels) {
     levels_.push_back(
         std::make_unique<Level>(scene.shared_net(), scene.freedoms(), scene.elastic_supports()));
-    for (const LatticeLevel &coarse : levels) {
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        const LatticeLevel &coarse = levels[k];
         Level &fine = *levels_.back();
         for (Index node = 0; node < fine.net->node_count(); ++node) {
             for (const auto &[parent, part] : coarse.coarsening.parents(node))

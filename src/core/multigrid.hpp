@@ -21,7 +21,7 @@ namespace funicular {
 class Multigrid final : public Preconditioner {
 public:
     /// \param levels the coarser nets of the scene, one at least
-    Multigrid(const Scene &scene, const std::vector<LatticeLevel> &levels);
+    Multigrid(const Scene &scene, const CoarserLevels &levels);
     ~Multigrid() override;
 
     bool prepare(const Points &x, const Equilibrium &equilibrium, double floor) override;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace funicular {
 
@@ -66,18 +67,27 @@ double stiffest_member(const Equilibrium &equilibrium) {
 // Fewer nodes are factorised in less time than a lattice is thinned out in.
 constexpr Index least_nodes_for_multigrid = 300;
 
-NewtonDirection direction_for(const Equilibrium &equilibrium, Newton::Linear linear) {
+NewtonDirection direction_for(const Equilibrium &equilibrium, const CoarserLevels &levels) {
     const Scene &scene = equilibrium.scene();
-    if (linear == Newton::Linear::on_lattice && scene.net().node_count() >= least_nodes_for_multigrid)
-        if (const auto levels = coarser_levels(scene); !levels.empty())
-            return NewtonDirection(std::make_unique<Multigrid>(scene, levels));
+    if (!levels.empty() && scene.net().node_count() >= least_nodes_for_multigrid)
+        return NewtonDirection(std::make_unique<Multigrid>(scene, levels));
     return NewtonDirection(equilibrium);
 }
 
 } // namespace
 
-Newton::Newton(const Equilibrium &equilibrium, Linear linear)
-    : linear_(linear), direction_(direction_for(equilibrium, linear)), settling_(equilibrium.scene().net()) {}
+Newton::Newton(const Equilibrium &equilibrium, CoarserLevels levels)
+    : levels_(std::move(levels)), direction_(direction_for(equilibrium, levels_)),
+      settling_(equilibrium.scene().net()) {}
+
+bool Newton::restart() {
+    if (softened_)
+        return false; // what was made for softer members is of no use to the scene
+    reach_ = first_reach;
+    short_steps_ = direct_steps_ = 0;
+    has_softened_ = false;
+    return true;
+}
 
 double Newton::position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) {
     while (softened_ && softened_->relative_residual() <= residual_of_stage)
@@ -172,7 +182,7 @@ void Newton::stiffen(const Points &x, Equilibrium &equilibrium) {
     if (stiffness_limit_ < stiffest_member(equilibrium))
         enter_stage(x, equilibrium);
     else {
-        direction_ = direction_for(equilibrium, linear_);
+        direction_ = direction_for(equilibrium, levels_);
         equilibrium.evaluate(x);
     }
 }
@@ -181,7 +191,7 @@ void Newton::enter_stage(const Points &x, const Equilibrium &equilibrium) {
     softened_ = std::make_unique<Equilibrium>(
         std::make_shared<const Scene>(equilibrium.scene().with_stiffness_up_to(stiffness_limit_)));
     softened_->evaluate(x);
-    direction_ = direction_for(*softened_, linear_);
+    direction_ = direction_for(*softened_, levels_);
     start_of_stage_ = x;
 }
 

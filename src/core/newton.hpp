@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "lattice_levels.hpp"
 #include "local_settling.hpp"
 #include "method.hpp"
 #include "newton_direction.hpp"
@@ -21,16 +22,15 @@ namespace funicular {
 /// each time.
 class Newton final : public Iteration {
 public:
-    /// How the linear equations of a step are solved.
-    enum class Linear {
-        by_factor,
-        on_lattice ///< by multigrid, where the net was made on a lattice that allows it
-    };
-    Newton(const Equilibrium &equilibrium, Linear linear);
+    /// \param levels coarser nets of the scene's; where there are some, multigrid solves the linear equations
+    ///               of a step, and a factorisation where there are none
+    explicit Newton(const Equilibrium &equilibrium, CoarserLevels levels = {});
 
     /// The largest node's motion in the Newton step from x; infinite if that step could not be had.
     [[nodiscard]] double position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) override;
     Move move(Points &x, Equilibrium &equilibrium) override;
+    /// Keeps the factorisation or the multigrid levels.
+    [[nodiscard]] bool restart() override;
 
 private:
     /// Moves along the direction. Returns the part of the wished step that was taken, zero if none could be.
@@ -40,12 +40,13 @@ private:
     void stiffen(const Points &x, Equilibrium &equilibrium);
     void enter_stage(const Points &x, const Equilibrium &equilibrium);
 
-    Linear linear_;
+    CoarserLevels levels_;
+    static constexpr double first_reach = 0.1;
     NewtonDirection direction_;
     LocalSettling settling_;
     Points start_, start_of_stage_;
     /// Largest motion of a node in one step, in the scene's own units; grows while steps fall short.
-    double reach_ = 0.1;
+    double reach_ = first_reach;
 
     std::unique_ptr<Equilibrium> softened_; ///< of the present stage; none at full stiffness
     double stiffness_limit_ = 0;            ///< of the present stage [N]

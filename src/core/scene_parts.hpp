@@ -22,6 +22,8 @@ struct Support {
     /// Infinite: rigid. Finite: a spring [N/m] against the motion that is taken away, which weakens the
     /// support.
     double stiffness = std::numeric_limits<double>::infinity();
+
+    bool operator==(const Support &) const = default;
 };
 
 /// Members are springs (paper section 2): T = k (l - r).

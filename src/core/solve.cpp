@@ -70,9 +70,12 @@ Solver::Solver(std::shared_ptr<const Scene> scene, SolveOptions options)
     if (!scene_)
         throw InvalidInput("scene is missing: give a Scene");
     check(*scene_, options_);
+    if (options_.method == Method::automatic)
+        levels_ = coarser_levels(*scene_);
     begin(scene_->scale().to_local(options_.start ? *options_.start : scene_->net().nodes()));
-    if (options_.method == Method::automatic && !options_.start && scene_->net().lattice())
-        iteration_ = std::make_unique<CoarseToFine>(*equilibrium_);
+    // Two-way members have several equilibria, and the one nearest to the start shape is meant.
+    if (!levels_.empty() && !options_.start && scene_->axial().is_compression_only())
+        iteration_ = std::make_unique<CoarseToFine>(*equilibrium_, levels_);
 }
 
 void Solver::begin(const Points &local_start) {
@@ -91,7 +94,8 @@ void Solver::begin(const Points &local_start) {
     load_limit_.reset();
     instability_.reset();
     departures_ = 0;
-    use(options_.method == Method::relaxation ? Method::relaxation : Method::newton);
+    if (!iteration_ || !iteration_->restart())
+        use(options_.method == Method::relaxation ? Method::relaxation : Method::newton);
     publish();
 }
 
@@ -100,9 +104,7 @@ void Solver::use(Method method) {
     if (method == Method::relaxation)
         iteration_ = std::make_unique<Relaxation>(*equilibrium_);
     else
-        iteration_ = std::make_unique<Newton>(*equilibrium_, options_.method == Method::automatic
-                                                                 ? Newton::Linear::on_lattice
-                                                                 : Newton::Linear::by_factor);
+        iteration_ = std::make_unique<Newton>(*equilibrium_, levels_);
 }
 
 void Solver::replace(std::shared_ptr<const Scene> scene) {
@@ -113,7 +115,14 @@ void Solver::replace(std::shared_ptr<const Scene> scene) {
                            " nodes, but the shape to go on from has " + std::to_string(x_.rows()));
     const std::scoped_lock lock(working_);
     const Points shape = has_run_away() ? scene->net().nodes() : scene_->scale().to_metres(x_);
+    const bool is_same_structure =
+        scene->shared_net() == scene_->shared_net() && scene->supports() == scene_->supports();
     scene_ = std::move(scene);
+    if (!is_same_structure) {
+        iteration_.reset();
+        if (options_.method == Method::automatic)
+            levels_ = coarser_levels(*scene_);
+    }
     begin(scene_->scale().to_local(shape));
 }
 
@@ -197,6 +206,8 @@ bool Solver::measure() {
 }
 
 std::string Solver::limit_message(const std::string &limit) const {
+    if (equilibrium_->is_hidden_by_rounding(goal_.tolerance))
+        return rounding_message();
     const std::string missed =
         report_.residual > goal_.tolerance
             ? "The relative residual is " + to_text(report_.residual) + ", where " +
@@ -204,6 +215,11 @@ std::string Solver::limit_message(const std::string &limit) const {
             : "The residual is small, but nodes may be " + to_text(report_.position_error) +
                   " m from equilibrium, where " + to_text(options_.accuracy) + " m was asked for.";
     return "Stopped at the limit of " + limit + ". " + missed + " Allow more, or ask for less accuracy.";
+}
+
+std::string Solver::rounding_message() const {
+    return "Members or supports are so stiff for their load that rounding makes a relative residual of " +
+           to_text(report_.residual) + ": their forces cannot be told. Lower the stiffness.";
 }
 
 bool Solver::has_run_away() const {
@@ -291,10 +307,7 @@ bool Solver::end_if_decided() {
     if (is_near && equilibrium_->significant_residual() <= goal_.tolerance)
         return end_converged();
     if (is_near && equilibrium_->is_hidden_by_rounding(goal_.tolerance))
-        return end(
-            Status::iteration_limit,
-            "Members or supports are so stiff for their load that rounding makes a relative residual of " +
-                to_text(report_.residual) + ": their forces cannot be told. Lower the stiffness.");
+        return end(Status::iteration_limit, rounding_message());
     if (has_run_away())
         return end_or_look_for_limit();
     if (report_.iteration >= iteration_limit())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "existence.hpp"
+#include "lattice_levels.hpp"
 #include "method.hpp"
 #include "result.hpp"
 #include "stability.hpp"
@@ -53,6 +54,7 @@ private:
     void publish();
     bool told(const Report &report);
     [[nodiscard]] std::string limit_message(const std::string &limit) const;
+    [[nodiscard]] std::string rounding_message() const;
     [[nodiscard]] bool has_run_away() const;
     [[nodiscard]] bool has_moved_as_a_whole() const;
     bool end_or_look_for_limit();
@@ -69,6 +71,8 @@ private:
     std::shared_ptr<const Scene> scene_;
     SolveOptions options_;
     Goal goal_;
+    /// For the fast way of solving on a lattice.
+    CoarserLevels levels_;
     std::unique_ptr<Equilibrium> equilibrium_;
     std::unique_ptr<Iteration> iteration_;
     Method method_ = Method::newton;

@@ -80,8 +80,9 @@ Memory memory_for(const NetPtr &net, const std::vector<EffectDescription> &effec
 
 TEST(AbsentEffects, HoldNoMemory) {
     // Panels that no effect looks at cost a scene and its solution not one allocation.
-    const auto with_panels = flat_sheet(4, 4, 1);
-    const auto without_panels = std::make_shared<const Net>(with_panels->nodes(), with_panels->members());
+    const auto sheet = flat_sheet(4, 4, 1);
+    const auto with_panels = std::make_shared<const Net>(sheet->nodes(), sheet->members(), sheet->panels());
+    const auto without_panels = std::make_shared<const Net>(sheet->nodes(), sheet->members());
     const EffectDescription axial = AxialStiffness{Eigen::VectorXd::Constant(1, 1e4)};
     const EffectDescription weight = MemberWeight{10};
     const auto bare = memory_for(without_panels, {axial, weight});

@@ -144,7 +144,7 @@ TEST(HardCase10_Slides, ALoadAlongASlideIsNoEquilibriumAndSaysWhereToHold) {
     const auto pushed = [&](std::vector<Support> supports) {
         return std::make_shared<const Scene>(
             net, std::move(supports),
-            std::vector<EffectDescription>{axial(1e5), MemberWeight{8}, PointLoad{{16, 17}, {0, 30, 0}}});
+            std::vector<EffectDescription>{axial(1e5), MemberWeight{8}, PointLoad{{16, 17}, {0, 3, 0}}});
     };
     expect_no_equilibrium(pushed({line(sides, Vector3::UnitY())}),
                           {"moves away as a whole", "hold it there"});
@@ -153,9 +153,9 @@ TEST(HardCase10_Slides, ALoadAlongASlideIsNoEquilibriumAndSaysWhereToHold) {
     auto weak = fixed({sides[0]});
     weak.stiffness = 500;
     const auto held = solved_in_any_numbering(pushed({springs, fixed({sides[0]})}));
-    EXPECT_NEAR(held.reactions.col(1).sum(), -60, 1e-6);
+    EXPECT_NEAR(held.reactions.col(1).sum(), -6, 1e-6);
     const auto sprung = solved_in_any_numbering(pushed({springs, weak}), 1e-9);
-    EXPECT_NEAR(sprung.reactions(sides[0], 1), -60, 1e-6);
+    EXPECT_NEAR(sprung.reactions(sides[0], 1), -6, 1e-6);
 }
 
 TEST(HardCase10_Slides, APlaneThatLeansCarriesAndSlides) {
