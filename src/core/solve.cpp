@@ -73,15 +73,14 @@ Solver::Solver(std::shared_ptr<const Scene> scene, SolveOptions options)
     if (options_.method == Method::automatic)
         levels_ = coarser_levels(*scene_);
     begin(scene_->scale().to_local(options_.start ? *options_.start : scene_->net().nodes()));
-    // Two-way members have several equilibria, and the one nearest to the start shape is meant.
-    if (!levels_.empty() && !options_.start && scene_->axial().is_compression_only())
+    if (!levels_.empty() && !options_.start)
         iteration_ = std::make_unique<CoarseToFine>(*equilibrium_, levels_);
 }
 
 void Solver::begin(const Points &local_start) {
     goal_ = {.tolerance = options_.tolerance, .accuracy = options_.accuracy / scene_->scale().length};
     equilibrium_ = std::make_unique<Equilibrium>(scene_);
-    x_ = scene_->on_supports(local_start);
+    start_ = x_ = scene_->on_supports(local_start);
     extent_ = std::max(x_.cwiseAbs().maxCoeff(), scene_->net().size() / scene_->scale().length);
     equilibrium_->evaluate(x_);
     report_ = {};
@@ -281,8 +280,18 @@ std::string Solver::equilibrium_message() const {
     return text;
 }
 
-/// Ends the solve at an equilibrium, unless that is one in the wrong sign that can be left.
+/// Ends the solve at an equilibrium, unless that is one in the wrong sign that can be left. With struts, which
+/// only two-way members can be, a net has several equilibria; meant is the one that the start shape leads to,
+/// and not one that coarser nets did.
 bool Solver::end_converged() {
+    if (!levels_.empty() && count_pushing(x_, *equilibrium_) > 0) {
+        levels_ = {};
+        x_ = start_;
+        equilibrium_->evaluate(x_);
+        use(Method::newton);
+        is_measured_ = false;
+        return measure();
+    }
     instability_ = find_instability(x_, *equilibrium_);
     if (!instability_ || !instability_->way_out)
         return end(Status::converged, equilibrium_message());

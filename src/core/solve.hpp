@@ -76,7 +76,7 @@ private:
     std::unique_ptr<Equilibrium> equilibrium_;
     std::unique_ptr<Iteration> iteration_;
     Method method_ = Method::newton;
-    Points x_;
+    Points start_, x_;
     double extent_ = 0; ///< of the start shape, in the scene's own units
     Report report_;
     std::unique_ptr<LoadLimitSearch> load_limit_; ///< once the net has run away
