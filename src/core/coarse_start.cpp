@@ -57,8 +57,7 @@ std::vector<EffectDescription> passed_on(const std::vector<EffectDescription> &e
 }
 
 /// The scene on each level, as far as it can be solved there.
-std::vector<std::shared_ptr<const Scene>> coarser_scenes(const Scene &scene,
-                                                         const CoarserLevels &levels) {
+std::vector<std::shared_ptr<const Scene>> coarser_scenes(const Scene &scene, const CoarserLevels &levels) {
     std::vector<std::shared_ptr<const Scene>> scenes;
     auto effects = scene.effects();
     for (std::size_t k = 0; k < levels.size(); ++k) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "line_smoother.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 
 #include <numeric>
 
@@ -11,28 +11,53 @@ namespace {
 
 /// Inverse on the directions that a node is free in, nothing on the others.
 /// \returns whether the block is positive definite there
-bool invert(const Matrix3 &block, const Freedoms &freedoms, Index node, Matrix3 &inverse) {
-    const auto is_positive = [](double determinant, double trace) { return determinant > 0 && trace > 0; };
-    const Matrix3 &basis = freedoms.basis(node);
-    switch (freedoms.count(node)) {
-    case 0:
-        inverse.setZero();
-        return true;
-    case 1: {
-        const double stiffness = basis.col(0).dot(block * basis.col(0));
-        inverse = basis.col(0) * basis.col(0).transpose() / stiffness;
-        return stiffness > 0;
+bool invert(const SymmetricBlock<double> &block, const Freedoms &freedoms, Index node,
+            SymmetricBlock<double> &inverse) {
+    const Index count = freedoms.count(node);
+    if (count == 3) {
+        const double xx = block.yy * block.zz - block.yz * block.yz;
+        const double xy = block.xz * block.yz - block.xy * block.zz;
+        const double xz = block.xy * block.yz - block.xz * block.yy;
+        const double determinant = block.xx * xx + block.xy * xy + block.xz * xz;
+        const double scale = 1 / determinant;
+        const double minor = block.xx * block.yy - block.xy * block.xy;
+        inverse = {.xx = scale * xx,
+                   .xy = scale * xy,
+                   .xz = scale * xz,
+                   .yy = scale * (block.xx * block.zz - block.xz * block.xz),
+                   .yz = scale * (block.xy * block.xz - block.xx * block.yz),
+                   .zz = scale * minor};
+        return block.xx > 0 && minor > 0 && determinant > 0;
     }
-    case 2: {
-        const Eigen::Matrix<double, 3, 2> free = basis.leftCols<2>();
-        const Eigen::Matrix2d reduced = free.transpose() * block * free;
-        inverse = free * reduced.inverse() * free.transpose();
-        return is_positive(reduced.determinant(), reduced.trace());
-    }
-    default:
-        inverse = block.inverse();
-        return is_positive(block.determinant(), block.trace()) && inverse.trace() > 0;
-    }
+    inverse = {};
+    const auto free = freedoms.basis(node).leftCols(count);
+    const Eigen::MatrixXd reduced = free.transpose() * block.matrix() * free;
+    const Eigen::LDLT<Eigen::MatrixXd> factor(reduced);
+    const Matrix3 result = free * factor.solve(Eigen::MatrixXd::Identity(count, count)) * free.transpose();
+    inverse = {.xx = result(0, 0),
+               .xy = result(0, 1),
+               .xz = result(0, 2),
+               .yy = result(1, 1),
+               .yz = result(1, 2),
+               .zz = result(2, 2)};
+    return count == 0 || (factor.info() == Eigen::Success && factor.isPositive());
+}
+
+/// Takes away what a member hands on of the node before: M L M, M the member's tangent and L the inverse of
+/// that node's pivot.
+void eliminate(const AxialForces::MemberTangent &member, const SymmetricBlock<double> &inverse,
+               SymmetricBlock<double> &pivot) {
+    const Vector3 &d = member.direction;
+    const Vector3 u = inverse * d;
+    const double both = member.around * member.along;
+    const double along = member.along * member.along * d.dot(u);
+    const double around = member.around * member.around;
+    pivot.xx -= around * inverse.xx + 2 * both * d[0] * u[0] + along * d[0] * d[0];
+    pivot.xy -= around * inverse.xy + both * (d[0] * u[1] + d[1] * u[0]) + along * d[0] * d[1];
+    pivot.xz -= around * inverse.xz + both * (d[0] * u[2] + d[2] * u[0]) + along * d[0] * d[2];
+    pivot.yy -= around * inverse.yy + 2 * both * d[1] * u[1] + along * d[1] * d[1];
+    pivot.yz -= around * inverse.yz + both * (d[1] * u[2] + d[2] * u[1]) + along * d[1] * d[2];
+    pivot.zz -= around * inverse.zz + 2 * both * d[2] * u[2] + along * d[2] * d[2];
 }
 
 } // namespace
@@ -89,29 +114,30 @@ LineSmoother::LineSmoother(const Lattice &lattice, const std::vector<Member> &me
         lines_.push_back(static_cast<Index>(nodes_.size()));
     }
     inverse_pivots_.resize(nodes_.size());
+    carries_.resize(nodes_.size());
     partial_.resize(nodes_.size());
 }
 
 bool LineSmoother::prepare(const std::vector<AxialForces::MemberTangent> &tangents,
-                           const std::vector<Matrix3> &diagonals, const Freedoms &freedoms) {
-    Matrix3 inverse = Matrix3::Zero();
+                           const std::vector<SymmetricBlock<double>> &diagonals, const Freedoms &freedoms) {
+    SymmetricBlock<double> inverse{};
     bool is_definite = true;
     for (std::size_t at = 0; at < nodes_.size(); ++at) {
-        Matrix3 pivot = diagonals[nodes_[at]];
+        SymmetricBlock<double> pivot = diagonals[nodes_[at]];
         if (members_[at] >= 0) {
-            const Matrix3 coupling = tangents[members_[at]].block();
-            pivot.noalias() -= coupling * inverse * coupling;
+            const auto &member = tangents[members_[at]];
+            eliminate(member, inverse, pivot);
+            const Vector3 u = member.along * (inverse * member.direction);
+            carries_[at - 1] =
+                (member.around * inverse.matrix() + u * member.direction.transpose()).cast<Real>();
         }
         is_definite = invert(pivot, freedoms, nodes_[at], inverse) && is_definite;
-        const auto entry = [&inverse](int row, int column) {
-            return static_cast<Real>(inverse(row, column));
-        };
-        inverse_pivots_[at] = {.xx = entry(0, 0),
-                               .xy = entry(0, 1),
-                               .xz = entry(0, 2),
-                               .yy = entry(1, 1),
-                               .yz = entry(1, 2),
-                               .zz = entry(2, 2)};
+        inverse_pivots_[at] = {.xx = static_cast<Real>(inverse.xx),
+                               .xy = static_cast<Real>(inverse.xy),
+                               .xz = static_cast<Real>(inverse.xz),
+                               .yy = static_cast<Real>(inverse.yy),
+                               .yz = static_cast<Real>(inverse.yz),
+                               .zz = static_cast<Real>(inverse.zz)};
     }
     return is_definite;
 }
@@ -132,16 +158,15 @@ void LineSmoother::solve_line(std::size_t line, const std::vector<ShortMemberTan
         for (Index arm = arms_of_[at]; arm < arms_of_[at + 1]; ++arm)
             force += tangents[arms_[arm].member] * motion[arms_[arm].node];
         if (members_[at] >= 0)
-            force += tangents[members_[at]] * partial_[at - 1];
-        partial_[at] = inverse_pivots_[at] * force;
+            force.noalias() += carries_[at - 1].transpose() * partial_[at - 1];
+        partial_[at] = force;
     }
-    motion[nodes_[end - 1]] = partial_[end - 1];
-    for (Index at = end - 2; at >= begin; --at)
-        if (members_[at + 1] >= 0)
-            motion[nodes_[at]] =
-                partial_[at] + inverse_pivots_[at] * (tangents[members_[at + 1]] * motion[nodes_[at + 1]]);
-        else
-            motion[nodes_[at]] = partial_[at];
+    for (Index at = end - 1; at >= begin; --at) {
+        Vector3r moved = inverse_pivots_[at] * partial_[at];
+        if (at + 1 < end && members_[at + 1] >= 0)
+            moved.noalias() += carries_[at] * motion[nodes_[at + 1]];
+        motion[nodes_[at]] = moved;
+    }
 }
 
 } // namespace funicular

@@ -23,6 +23,32 @@ struct ShortMemberTangent {
     }
 };
 
+/// A symmetric 3 x 3 block.
+template <class Number>
+struct SymmetricBlock {
+    Number xx, xy, xz, yy, yz, zz;
+
+    [[nodiscard]] Eigen::Matrix<Number, 3, 1> operator*(const Eigen::Matrix<Number, 3, 1> &vector) const {
+        return {xx * vector[0] + xy * vector[1] + xz * vector[2],
+                xy * vector[0] + yy * vector[1] + yz * vector[2],
+                xz * vector[0] + yz * vector[1] + zz * vector[2]};
+    }
+    [[nodiscard]] Eigen::Matrix<Number, 3, 3> matrix() const {
+        Eigen::Matrix<Number, 3, 3> whole;
+        whole << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+        return whole;
+    }
+    /// Adds `all_round` I + `along` d dᵀ.
+    void add(Number all_round, Number along, const Eigen::Matrix<Number, 3, 1> &d) {
+        xx += all_round + along * d[0] * d[0];
+        xy += along * d[0] * d[1];
+        xz += along * d[0] * d[2];
+        yy += all_round + along * d[1] * d[1];
+        yz += along * d[1] * d[2];
+        zz += all_round + along * d[2] * d[2];
+    }
+};
+
 /// Gauss-Seidel by the lines of a lattice: each line's equilibrium is solved as a whole while its neighbours
 /// rest.
 ///
@@ -39,7 +65,7 @@ public:
     /// \param diagonals the tangent's block of each node with itself
     /// \returns whether each was positive definite
     bool prepare(const std::vector<AxialForces::MemberTangent> &tangents,
-                 const std::vector<Matrix3> &diagonals, const Freedoms &freedoms);
+                 const std::vector<SymmetricBlock<double>> &diagonals, const Freedoms &freedoms);
 
     enum class Order { forward, backward };
     /// Solves line after line for the motion under the forces.
@@ -47,15 +73,6 @@ public:
                Vectors3r &motion);
 
 private:
-    /// A symmetric 3 x 3 block.
-    struct Pivot {
-        Real xx, xy, xz, yy, yz, zz;
-        [[nodiscard]] Vector3r operator*(const Vector3r &force) const {
-            return {xx * force[0] + xy * force[1] + xz * force[2],
-                    xy * force[0] + yy * force[1] + yz * force[2],
-                    xz * force[0] + yz * force[1] + zz * force[2]};
-        }
-    };
     /// A member to a node beside the line.
     struct Arm {
         Index node, member;
@@ -71,7 +88,10 @@ private:
     std::vector<Index> members_;
     std::vector<Index> arms_of_{0};
     std::vector<Arm> arms_;
-    std::vector<Pivot> inverse_pivots_;
+    std::vector<SymmetricBlock<Real>> inverse_pivots_;
+    /// L M, L the inverse pivot of a node and M the tangent of the member to the next one on its line: kept,
+    /// as a sweep has to wait for each product with it.
+    std::vector<Eigen::Matrix<Real, 3, 3>> carries_;
     Vectors3r partial_;
 };
 

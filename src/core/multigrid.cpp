@@ -28,8 +28,7 @@ struct Multigrid::Level {
     std::vector<ElasticSupport> elastic_supports;
     /// Makes the tangents of this coarser net's members from those of the finer one: of two in a row as of
     /// springs in series, side by side they add up.
-    void gather(const std::vector<AxialForces::MemberTangent> &finer,
-                std::vector<AxialForces::MemberTangent> &tangents) const;
+    void gather(const std::vector<AxialForces::MemberTangent> &finer);
 
     // Of a coarser net than the scene's own.
     Points x;
@@ -38,7 +37,8 @@ struct Multigrid::Level {
 
     LineSmoother along_u, along_v;
     std::vector<ShortMemberTangent> short_tangents;
-    std::vector<Matrix3> diagonals;
+    std::vector<AxialForces::MemberTangent> tangents; ///< of a coarser net than the scene's own
+    std::vector<SymmetricBlock<double>> diagonals;
     Vectors3r forces, motion, left;
 
     // To the next coarser level, if there is one.
@@ -72,21 +72,20 @@ Multigrid::Multigrid(const Scene &scene, const CoarserLevels &levels) {
 bool Multigrid::prepare(const Points &x, const Equilibrium &equilibrium, double floor) {
     bool is_definite = prepare(*levels_.front(), equilibrium.member_tangents(), floor);
     const Points *finer = &x;
-    std::vector<AxialForces::MemberTangent> tangents, finer_tangents;
+    const auto *tangents = &equilibrium.member_tangents();
     for (std::size_t k = 1; k < levels_.size(); ++k) {
         Level &level = *levels_[k];
         for (Index node = 0; node < level.x.rows(); ++node)
             level.x.row(node) = finer->row(level.fine_nodes[node]);
-        level.gather(k == 1 ? equilibrium.member_tangents() : finer_tangents, tangents);
-        is_definite = prepare(level, tangents, floor) && is_definite;
+        level.gather(*tangents);
+        tangents = &level.tangents;
+        is_definite = prepare(level, *tangents, floor) && is_definite;
         finer = &level.x;
-        finer_tangents = tangents;
     }
-    return factorise_coarsest(tangents) && is_definite;
+    return factorise_coarsest(*tangents) && is_definite;
 }
 
-void Multigrid::Level::gather(const std::vector<AxialForces::MemberTangent> &finer,
-                              std::vector<AxialForces::MemberTangent> &tangents) const {
+void Multigrid::Level::gather(const std::vector<AxialForces::MemberTangent> &finer) {
     const auto in_series = [](double a, double b) { return a * b / (a + b); };
     tangents.assign(net->member_count(), {.direction = Vector3::Zero(), .along = 0, .around = 0});
     for (const auto &[member, first, second, part] : strands) {
@@ -108,14 +107,22 @@ void Multigrid::Level::gather(const std::vector<AxialForces::MemberTangent> &fin
 }
 
 bool Multigrid::prepare(Level &level, const std::vector<AxialForces::MemberTangent> &tangents, double floor) {
-    level.diagonals.assign(level.net->node_count(), notional_ground * floor * Matrix3::Identity());
-    for (const auto &support : level.elastic_supports)
-        level.diagonals[support.node] += support.stiffness;
+    const double ground = notional_ground * floor;
+    level.diagonals.assign(level.net->node_count(),
+                           {.xx = ground, .xy = 0, .xz = 0, .yy = ground, .yz = 0, .zz = ground});
+    for (const auto &support : level.elastic_supports) {
+        auto &diagonal = level.diagonals[support.node];
+        diagonal.xx += support.stiffness(0, 0);
+        diagonal.xy += support.stiffness(0, 1);
+        diagonal.xz += support.stiffness(0, 2);
+        diagonal.yy += support.stiffness(1, 1);
+        diagonal.yz += support.stiffness(1, 2);
+        diagonal.zz += support.stiffness(2, 2);
+    }
     for (std::size_t e = 0; e < tangents.size(); ++e) {
         const auto &tangent = tangents[e];
-        const Matrix3 block = tangent.block();
         for (const Index end : level.net->members()[e])
-            level.diagonals[end] += block;
+            level.diagonals[end].add(tangent.around, tangent.along, tangent.direction);
         level.short_tangents[e] = {.direction = tangent.direction.cast<Real>(),
                                    .along = static_cast<Real>(tangent.along),
                                    .around = static_cast<Real>(tangent.around)};
@@ -135,7 +142,7 @@ bool Multigrid::factorise_coarsest(const std::vector<AxialForces::MemberTangent>
             freedoms.basis(column).leftCols(freedoms.count(column));
     };
     for (Index node = 0; node < level.net->node_count(); ++node)
-        add(node, node, level.diagonals[node]);
+        add(node, node, level.diagonals[node].matrix());
     for (std::size_t e = 0; e < tangents.size(); ++e) {
         const auto [i, j] = level.net->members()[e];
         add(i, j, -tangents[e].block());

@@ -28,12 +28,17 @@ constexpr double close_to_equilibrium = 1e-3;
 constexpr double most_of_residual = 0.1;
 constexpr double aim = 0.3;
 constexpr double finest_accuracy = 1e-6;
-constexpr double coarsest_accuracy = 0.03;
+constexpr double coarsest_accuracy = 0.1;
+// A factor gives so many digits at once.
+constexpr double accuracy_of_factor = 0.01;
 
 constexpr int most_cycles = 40;
+// What was prepared where the relative residual was below this is of use to the end, unless so many
+// iterations say otherwise.
+constexpr double residual_to_keep = 0.3;
 constexpr int most_with_kept_factor = 15;
 constexpr int most_with_new_factor = 60;
-constexpr int most_to_keep_factor = 8;
+constexpr int most_to_keep = 8;
 
 double notional_force_density(const Equilibrium &equilibrium) {
     const Scene &scene = equilibrium.scene();
@@ -63,19 +68,24 @@ void NewtonDirection::compute(const Points &x, Equilibrium &equilibrium, const G
     const Eigen::VectorXd &residual = equilibrium.residual();
     const double floor = notional_force_density(equilibrium);
     floor_ = floor;
-    const double accuracy = wished_accuracy(equilibrium.relative_residual(), goal.tolerance);
+    double accuracy = wished_accuracy(equilibrium.relative_residual(), goal.tolerance);
     is_newton_step_ = false;
     motion_.resize(x.rows(), 3);
     if (!is_factor_) {
-        equilibrium.linearise(x, {.floor = floor, .convex = true});
-        is_newton_step_ = preconditioner_->prepare(x, equilibrium, floor) &&
-                          iterate(x, equilibrium, floor, accuracy, most_cycles);
+        bool is_prepared = prepared_at_ < residual_to_keep && progress_.iterations <= most_to_keep;
+        if (!is_prepared) {
+            equilibrium.linearise(x, {.floor = floor, .convex = true});
+            is_prepared = preconditioner_->prepare(x, equilibrium, floor);
+            prepared_at_ = equilibrium.relative_residual();
+        }
+        is_newton_step_ = is_prepared && iterate(x, equilibrium, floor, accuracy, most_cycles);
         if (!is_newton_step_) {
             preconditioner_ = std::make_unique<KeptFactor>(equilibrium);
             is_factor_ = true;
         }
     }
     if (is_factor_) {
+        accuracy = std::min(accuracy, accuracy_of_factor);
         if (!is_stale_)
             is_newton_step_ = iterate(x, equilibrium, floor, accuracy, most_with_kept_factor);
         if (!is_newton_step_) {
@@ -89,7 +99,7 @@ void NewtonDirection::compute(const Points &x, Equilibrium &equilibrium, const G
             else if (!is_newton_step_)
                 direction_.setZero(residual.size());
         }
-        is_stale_ = !is_newton_step_ || progress_.iterations > most_to_keep_factor;
+        is_stale_ = !is_newton_step_ || progress_.iterations > most_to_keep;
     }
     equilibrium.scene().freedoms().expand(direction_, motion_);
     largest_motion_ = motion_.rowwise().norm().maxCoeff();

@@ -6,6 +6,7 @@
 #include "method.hpp"
 #include "preconditioner.hpp"
 
+#include <limits>
 #include <memory>
 
 namespace funicular {
@@ -48,6 +49,7 @@ private:
     bool is_factor_;
     /// Whether a factor has served its time.
     bool is_stale_ = true;
+    double prepared_at_ = std::numeric_limits<double>::infinity();
     ConjugateResiduals conjugate_residuals_;
     LinearProgress progress_;
     Eigen::VectorXd direction_;

@@ -72,12 +72,11 @@ Solver::Solver(std::shared_ptr<const Scene> scene, SolveOptions options)
     check(*scene_, options_);
     if (options_.method == Method::automatic)
         levels_ = coarser_levels(*scene_);
-    begin(scene_->scale().to_local(options_.start ? *options_.start : scene_->net().nodes()));
-    if (!levels_.empty() && !options_.start)
-        iteration_ = std::make_unique<CoarseToFine>(*equilibrium_, levels_);
+    const Points start = scene_->scale().to_local(options_.start ? *options_.start : scene_->net().nodes());
+    begin(start, !options_.start);
 }
 
-void Solver::begin(const Points &local_start) {
+void Solver::begin(const Points &local_start, bool is_cold) {
     goal_ = {.tolerance = options_.tolerance, .accuracy = options_.accuracy / scene_->scale().length};
     equilibrium_ = std::make_unique<Equilibrium>(scene_);
     start_ = x_ = scene_->on_supports(local_start);
@@ -93,7 +92,10 @@ void Solver::begin(const Points &local_start) {
     load_limit_.reset();
     instability_.reset();
     departures_ = 0;
-    if (!iteration_ || !iteration_->restart())
+    if (is_cold && !levels_.empty()) {
+        method_ = Method::newton;
+        iteration_ = std::make_unique<CoarseToFine>(*equilibrium_, levels_);
+    } else if (!iteration_ || !iteration_->restart())
         use(options_.method == Method::relaxation ? Method::relaxation : Method::newton);
     publish();
 }
@@ -122,7 +124,7 @@ void Solver::replace(std::shared_ptr<const Scene> scene) {
         if (options_.method == Method::automatic)
             levels_ = coarser_levels(*scene_);
     }
-    begin(scene_->scale().to_local(shape));
+    begin(scene_->scale().to_local(shape), false);
 }
 
 double Solver::seconds() const {
@@ -280,9 +282,9 @@ std::string Solver::equilibrium_message() const {
     return text;
 }
 
-/// Ends the solve at an equilibrium, unless that is one in the wrong sign that can be left. With struts, which
-/// only two-way members can be, a net has several equilibria; meant is the one that the start shape leads to,
-/// and not one that coarser nets did.
+/// Ends the solve at an equilibrium, unless that is one in the wrong sign that can be left. With struts,
+/// which only two-way members can be, a net has several equilibria; meant is the one that the start shape
+/// leads to, and not one that coarser nets did.
 bool Solver::end_converged() {
     if (!levels_.empty() && count_pushing(x_, *equilibrium_) > 0) {
         levels_ = {};

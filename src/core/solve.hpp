@@ -49,7 +49,7 @@ public:
     [[nodiscard]] Result result() const;
 
 private:
-    void begin(const Points &local_start);
+    void begin(const Points &local_start, bool is_cold);
     void use(Method method);
     void publish();
     bool told(const Report &report);

@@ -111,10 +111,9 @@ ScenePtr von_mises(double load, bool compression_only = false) {
     nodes << -1, 0, 0, 0, 0, -0.1, 1, 0, 0;
     return std::make_shared<const Scene>(
         chain_net(nodes),
-        std::vector<Support>{
-            {.kind = SupportKind::fixed, .nodes = {0, 2}},
-            // Without it two struts fall over sideways under any load.
-            {.kind = SupportKind::on_plane, .nodes = {1}, .direction = Vector3::UnitY()}},
+        std::vector<Support>{{.kind = SupportKind::fixed, .nodes = {0, 2}},
+                             // Without it two struts fall over sideways under any load.
+                             {.kind = SupportKind::on_plane, .nodes = {1}, .direction = Vector3::UnitY()}},
         std::vector<EffectDescription>{axial(1e6, compression_only), PointLoad{{1}, {0, 0, -load}}});
 }
 

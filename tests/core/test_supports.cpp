@@ -77,7 +77,8 @@ TEST(Supports, NameWhatIsWrong) {
 TEST(Supports, EveryComponentMustBeHeld) {
     const Points nodes = (Points(5, 3) << 0, 0, 0, 1, 0, 0, 5, 0, 0, 6, 0, 0, 7, 0, 0).finished();
     const Net net(nodes, {{0, 1}, {2, 3}, {3, 4}});
-    expect_invalid([&] { check_held(net, {fixed({0})}); }, {"component of 3 nodes has no support", "nodes 2, 3, 4;"});
+    expect_invalid([&] { check_held(net, {fixed({0})}); },
+                   {"component of 3 nodes has no support", "nodes 2, 3, 4;"});
     expect_invalid(
         [&] {
             check_held(net, {fixed({0}), line({2, 3}, Vector3::UnitZ())});
