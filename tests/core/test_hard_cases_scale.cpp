@@ -207,6 +207,18 @@ TEST(HardCase23_ManyNodes, AStripOfAHundredThousandIsAsHighAllAlong) {
         EXPECT_NEAR(result.nodes(crown + at, 2), result.nodes(crown + along / 3, 2), 1e-4);
 }
 
+TEST(HardCase23_ManyNodes, ASheetOfAHundredThousandRisesAsItsRefinementsDo) {
+    // The rises of coarser ones (test_oracles.cpp) go to 1.4870884 m with the square of the step.
+    const Index cells = sized(316, 20);
+    const auto net = flat_sheet(10, 10, 10.0 / cells);
+    const auto scene = on(net, net->border(), {MemberWeight{500 / standard_gravity}});
+    SolveOptions options;
+    options.accuracy = 1e-7;
+    const auto result = solve(scene, options);
+    expect_certified(scene, result, 1e-6);
+    EXPECT_NEAR(result.nodes.col(2).maxCoeff(), cells == 316 ? 1.4870878 : 1.486945, 1e-6);
+}
+
 TEST(Determinism, TheSameInputTwiceIsTheSameBitForBit) {
     for (const auto &make :
          {+[] { return warped_roof(); }, +[] { return hemisphere(16, 8, 5, 1e7, true, 20, 30); },

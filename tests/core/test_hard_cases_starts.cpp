@@ -292,5 +292,17 @@ TEST(HardCase13_CollinearCables, PushedTogetherTheyAreNotCalledAStructure) {
     EXPECT_LT(distance(result.nodes, solved(with(true, 0.1)).nodes), 1e-9);
 }
 
+TEST(HardCase13_CollinearCables, ABalancedButUnstableLineIsLeftOrSaid) {
+    // Struts in a straight line, pushed together: nothing moves them, and the least touch buckles them.
+    const auto scene = std::make_shared<const Scene>(
+        straight_chain(4, 4), std::vector<Support>{{.kind = SupportKind::fixed, .nodes = {0, 4}}},
+        std::vector<EffectDescription>{axial(1000, false)}, Eigen::VectorXd::Constant(4, 1.2));
+    const auto result = solve(scene);
+    const bool is_left = (result.nodes - scene->net().nodes()).rightCols(2).cwiseAbs().maxCoeff() > 0.1;
+    if (!is_left) {
+        expect_words(result.message, {"unstable"});
+    }
+}
+
 } // namespace
 } // namespace funicular::test

@@ -103,6 +103,15 @@ TEST(HardCase04_LimitOfExistence, OfACoveredSheetIsOneWeight) {
     EXPECT_GT(rise, 5);
 }
 
+TEST(HardCase04_LimitOfExistence, TheMessageNamesTheWeightAndWhatTheStiffnessCarries) {
+    const auto net = flat_sheet(10, 10, 1);
+    const std::vector<Support> border{{.kind = SupportKind::fixed, .nodes = net->border()}};
+    const auto covered = std::make_shared<const Scene>(
+        net, border, std::vector<EffectDescription>{axial(1e4), CoveringWeight{8000}});
+    expect_no_equilibrium(covered, {"covering weight", "kg/m²", "at most about"});
+    expect_no_equilibrium(strand(3, 10, 10, 1000), {"member weight", "kg/m", "at most about"});
+}
+
 class HardCase05_StiffnessFrom1e_2To1e12 : public testing::TestWithParam<int> {};
 
 TEST_P(HardCase05_StiffnessFrom1e_2To1e12, AChainHasTheRiseOfItsRecursion) {
@@ -149,6 +158,17 @@ INSTANTIATE_TEST_SUITE_P(Decades, HardCase05_StiffnessFrom1e_2To1e12, testing::R
                              return each.param < 0 ? "EA1e_" + std::to_string(-each.param)
                                                    : "EA1e" + std::to_string(each.param);
                          });
+
+TEST(HardCase05_Verdicts, WhatTheSolverCallsConvergedTheCertificateDoes) {
+    // Where rounding makes a residual that both excuse, the sums of that very residual must be excused too.
+    for (const double ea : {1e7, 1e8, 1e9, 1e10, 1e11})
+        for (const double weight : {1e-3, 1e-2, 0.1, 1.0, 100.0}) {
+            const auto scene = catenary(21, 10, 10.5, ea, weight);
+            const auto result = solve(scene);
+            if (result.status == Status::converged)
+                expect_certified(scene, result, result.tolerance);
+        }
+}
 
 TEST(HardCase06_RestLengths1To1000, OnAChainInTurns) {
     // Rest lengths of 1 mm and 1 m in turns, over a span that stretches the first a hundredfold.
