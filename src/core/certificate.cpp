@@ -17,8 +17,10 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Smaller than this part of the largest member force, a force is rounding.
 constexpr double negligible_force = 1e-9;
+// What rounding may excuse at a node: so many units in the last place of the largest coordinate, turned into
+// forces by all members and supports there, but never more than a part of the mean nodal load. Twice what the
+// solver excuses, which rounds in its own way.
 constexpr double units_in_last_place = 8;
-// Rounding never excuses a residual above this part of the mean nodal load.
 constexpr double most_excused_residual = 1e-3;
 // Supports are where they should be, and reactions balance the loads, to this part of the net's size and of
 // the loads, or to the tolerance where that is coarser.
@@ -67,6 +69,9 @@ public:
     }
     [[nodiscard]] std::size_t count() const { return directions_.size(); }
     [[nodiscard]] Vector3 held_part(const Vector3 &vector) const {
+        // The whole of it, without what rounding leaves of a sum over directions.
+        if (directions_.size() == 3)
+            return vector;
         Vector3 part = Vector3::Zero();
         for (const Vector3 &direction : directions_)
             part += direction.dot(vector) * direction;
@@ -75,7 +80,8 @@ public:
 
 private:
     void hold(Vector3 direction) {
-        // Planes that meet at a smaller angle than this count as one, here as in the scene.
+        // The first support wins: a direction that is no farther than this (the sine of an angle) from those
+        // held before is one of them, here as in the scene.
         for (const Vector3 &held : directions_)
             direction -= held.dot(direction) * held;
         if (directions_.size() < 3 && direction.norm() > 1.4142e-4)
@@ -160,7 +166,8 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
                 held[node].hold(support);
             } else if (is_elastic(support)) {
                 const Vector3 reaction = elastic_reaction(support, motion_of(node));
-                rounding[node] += units_in_last_place * unit_in_last_place * support.stiffness;
+                // Three times, as it may act along three axes.
+                rounding[node] += 3 * units_in_last_place * unit_in_last_place * support.stiffness;
                 recomputed.row(node) += reaction.transpose();
                 unbalanced.row(node) += reaction.transpose();
             }
@@ -178,9 +185,11 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
     double force_sum = 0;
     for (const double force : forces)
         force_sum += std::abs(force);
-    const double unit = movable_load > 0 ? movable_load / movable : force_sum / net.member_count();
+    // Forces of unstretched members are rounding, which is no measure of itself.
+    const double unit = movable_load > 0 ? movable_load / movable
+                                         : std::max(force_sum / net.member_count(),
+                                                    rounding.maxCoeff() / most_excused_residual);
 
-    double significant = 0;
     for (Index i = 0; i < n; ++i) {
         const Vector3 rest = unbalanced.row(i).transpose();
         const Vector3 taken = held[i].held_part(rest);
@@ -191,8 +200,8 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
         // Written so that what is not a number counts as the worst.
         const double relative = force <= std::numeric_limits<double>::max() ? force / unit : infinite;
         certificate.max_residual = std::max(certificate.max_residual, relative);
-        if (!(relative <= std::min(rounding[i] / unit, most_excused_residual)))
-            significant = std::max(significant, relative);
+        if (!(relative - std::min(rounding[i] / unit, most_excused_residual) <= tolerance))
+            certificate.unexcused_residual = std::max(certificate.unexcused_residual, relative);
     }
     for (Index i = 0; i < n; ++i)
         certificate.support_error =
@@ -206,15 +215,20 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
         const Vector3 both = (loads.row(i) + given.row(i)).transpose();
         moment += Vector3(centred_nodes.row(i).transpose()).cross(both);
     }
-    const double all = load_sum > 0 ? load_sum : force_sum;
+    // Residuals within the tolerance at every node that can move may add up to `unit` times it at each.
+    const double all = std::max(load_sum > 0 ? load_sum : force_sum, unit * static_cast<double>(movable));
+    certificate.most_imbalance = std::max(small, tolerance);
     if (all > 0) {
+        const double extent = std::max(net.size(), centred_nodes.rowwise().norm().maxCoeff());
         certificate.balance = (certificate.total_load + certificate.reaction_sum).norm() / all;
-        certificate.moment_balance = moment.norm() / (all * net.size());
+        certificate.moment_balance = moment.norm() / (all * extent);
+        // What is excused at the nodes is excused in their sum.
+        certificate.most_imbalance += std::min(rounding.sum() / all, most_excused_residual);
     }
-    const double allowed = std::max(small, tolerance);
-    certificate.in_equilibrium = significant <= tolerance &&
-                                 certificate.support_error <= small * net.size() &&
-                                 certificate.balance <= allowed && certificate.moment_balance <= allowed;
+    certificate.in_equilibrium =
+        certificate.unexcused_residual == 0 && certificate.support_error <= small * net.size() &&
+        certificate.balance <= certificate.most_imbalance &&
+        certificate.moment_balance <= certificate.most_imbalance;
     const bool something_carries = std::cmp_less(certificate.slack_members.size(), net.member_count());
     certificate.compression_only =
         certificate.in_equilibrium && certificate.tension_members.empty() && something_carries;
@@ -222,10 +236,10 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
 }
 
 std::string Certificate::summary() const {
-    if (!in_equilibrium && max_residual > tolerance)
-        return "Not in equilibrium: the largest residual is " + to_text(max_residual) +
+    if (!in_equilibrium && unexcused_residual > 0)
+        return "Not in equilibrium: the largest residual is " + to_text(unexcused_residual) +
                " of the mean nodal load, where " + to_text(tolerance) + " was asked for.";
-    if (!in_equilibrium && std::max(balance, moment_balance) > std::max(small, tolerance))
+    if (!in_equilibrium && std::max(balance, moment_balance) > most_imbalance)
         return "Not in equilibrium: reactions and loads differ by " +
                to_text(std::max(balance, moment_balance)) + " of the loads.";
     if (!in_equilibrium)

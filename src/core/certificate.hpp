@@ -17,7 +17,7 @@ namespace funicular {
 struct Certificate {
     /// In equilibrium, no member in tension, and some in compression.
     bool compression_only = false;
-    /// The residual is within the tolerance at every node, or within what rounding lets one tell there;
+    /// The residual is within the tolerance at every node, on top of what rounding lets one tell there;
     /// supported nodes are on their supports, and the reactions balance the loads.
     bool in_equilibrium = false;
     std::vector<Index> tension_members;
@@ -25,15 +25,21 @@ struct Certificate {
     double worst_tension = 0;
     /// Members that carry nothing; without weight of their own, they can be left out.
     std::vector<Index> slack_members;
-    /// max |r_i| / mean load on the nodes that can move; infinite where a force is not a number
+    /// max |r_i| / mean load on the nodes that can move; infinite where a force is not a number. Where those
+    /// bear no load, the mean force of the members stands for it, or what force can be told from rounding.
     double max_residual = 0;
+    /// The same of the nodes where it is beyond the tolerance and rounding; zero if there are none.
+    double unexcused_residual = 0;
     /// Largest distance of a node from where its rigid supports hold it [m].
     double support_error = 0;
     double tolerance = 0;
-    /// |sum of reactions + sum of loads| / sum of |loads|
+    /// |sum of reactions + sum of loads| / sum of |loads|; without loads, of the members' |forces|
     double balance = 0;
-    /// The same of their moments about the net's centre, over (sum of |loads| x size).
+    /// The same of their moments about the net's centre, over the farthest node's distance from there (the
+    /// net's size, if that is more).
     double moment_balance = 0;
+    /// The most of these two that counts as balanced.
+    double most_imbalance = 0;
     Vector3 total_load = Vector3::Zero();   ///< [N]
     Vector3 reaction_sum = Vector3::Zero(); ///< [N]
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "certificate_loads.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace funicular {
@@ -24,13 +23,16 @@ Vector3 mean(const std::vector<Vector3> &points) {
     return sum / static_cast<double>(points.size());
 }
 
-/// Area of a triangle from its sides (Heron's formula in Kahan's stable form).
+/// Area of a triangle, its base times its height. From its three sides (Heron's formula) a flat one's would
+/// have half of the digits only.
 double triangle_area(const Vector3 &p, const Vector3 &q, const Vector3 &r) {
-    std::array<double, 3> side{(p - q).norm(), (q - r).norm(), (r - p).norm()};
-    std::sort(side.begin(), side.end(), std::greater<>());
-    const auto [a, b, c] = side;
-    const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
-    return std::sqrt(std::max(0.0, product)) / 4;
+    const Vector3 base = q - p;
+    const double length = base.stableNorm();
+    if (length == 0)
+        return 0;
+    const Vector3 along = base / length;
+    const Vector3 side = r - p;
+    return length * (side - along.dot(side) * along).norm() / 2;
 }
 
 double fan_area(const std::vector<Vector3> &corners) {
@@ -129,9 +131,12 @@ void add(const AxialStiffness & /*effect*/, const Net & /*net*/, const Points & 
          Points & /*loads*/) {}
 
 void add(const MemberWeight &effect, const Net &net, const Points &nodes, Points &loads) {
-    for (const auto &[i, j] : net.members()) {
+    for (Index e = 0; e < net.member_count(); ++e) {
+        const auto [i, j] = net.members()[e];
         const Vector3 span = (nodes.row(j) - nodes.row(i)).transpose();
-        const double weight = effect.per_length * standard_gravity * std::hypot(span.x(), span.y(), span.z());
+        const double lines = effect.lines.size() == 0 ? 1 : effect.lines[e];
+        const double weight =
+            lines * effect.per_length * standard_gravity * std::hypot(span.x(), span.y(), span.z());
         loads(i, 2) -= weight / 2;
         loads(j, 2) -= weight / 2;
     }

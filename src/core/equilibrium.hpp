@@ -37,7 +37,8 @@ public:
     /// Mean of |load| over the nodes that can move; of the members' pull if they bear none, so that a
     /// residual can be relative.
     [[nodiscard]] double mean_nodal_load() const { return mean_nodal_load_; }
-    /// max_i |r_i| / mean nodal load.
+    /// max_i |r_i| / mean nodal load; without loads, over what pull can be told from rounding, if that is
+    /// more.
     [[nodiscard]] double relative_residual() const { return relative_residual_; }
     /// The same of the nodes whose residual is more than the rounding of positions makes of it: a stiff
     /// member turns a unit in the last place of its ends into a force. What rounding may excuse is bounded.

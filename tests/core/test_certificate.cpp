@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace funicular::test {
 
@@ -21,6 +22,26 @@ double from_apex(const Net &net, Index member) {
         (net.nodes().row(net.members()[member][0]) + net.nodes().row(net.members()[member][1])).transpose() /
         2;
     return std::atan2(middle.head<2>().norm(), middle.z()) * 180 / std::numbers::pi;
+}
+
+const std::vector<EffectDescription> &every_panel_load() {
+    static const std::vector<EffectDescription> loads{CoveringWeight{30, CornerShare::angle},
+                                                      CoveringWeight{30, CornerShare::equal},
+                                                      CoveringWeight{30, CornerShare::voronoi}, Snow{700}};
+    return loads;
+}
+
+/// Largest difference of the solver's and the certificate's loads [N], one effect alone.
+double difference_of_loads(const NetPtr &net, const EffectDescription &load) {
+    const auto scene = std::make_shared<const Scene>(
+        net, std::vector<Support>{{.kind = SupportKind::fixed, .nodes = {0}}},
+        std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e5)}, load});
+    const Points centred = net->nodes().rowwise() - net->centre().transpose();
+    Equilibrium equilibrium(scene);
+    equilibrium.evaluate(scene->scale().to_local(net->nodes()));
+    return (equilibrium.loads() * scene->scale().force + certificate_loads(*net, scene->effects(), centred))
+        .cwiseAbs()
+        .maxCoeff();
 }
 
 bool is_hoop(const Net &net, Index member) {
@@ -166,6 +187,8 @@ TEST(Certificate, ItsLoadsAreTheSolversByOtherFormulas) {
     // Agreement of two codes that share nothing: each effect alone, each share, on a warped roof.
     const auto roof = warped_roof();
     const std::vector<EffectDescription> loads{MemberWeight{12},
+                                               MemberWeight{12, Eigen::VectorXd::LinSpaced(
+                                                                    roof->net().member_count(), 1, 7)},
                                                CoveringWeight{30, CornerShare::angle},
                                                CoveringWeight{30, CornerShare::equal},
                                                CoveringWeight{30, CornerShare::voronoi},
@@ -183,6 +206,82 @@ TEST(Certificate, ItsLoadsAreTheSolversByOtherFormulas) {
         EXPECT_LT((equilibrium.loads() * scene->scale().force + expected).norm(), 1e-12 * expected.norm())
             << load.index();
     }
+}
+
+TEST(Certificate, ItsPanelLoadsAreTheSolversOnPanelsOfAnyShape) {
+    // Folded on themselves, seen from below, upright, without area, with corners that coincide.
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> anywhere(-1, 1);
+    std::uniform_int_distribution<int> on_grid(-1, 1);
+    for (int trial = 0; trial < 600; ++trial) {
+        const Index corners = 3 + trial % 4;
+        Points nodes(corners, 3);
+        for (double &value : nodes.reshaped())
+            value = trial % 3 == 0 ? on_grid(random) : anywhere(random);
+        if (trial % 5 == 0)
+            nodes.col(1).setZero();
+        if (trial % 7 == 0)
+            nodes.col(2) = nodes.col(0);
+        nodes(0, 0) += 2; // a net has a size
+        std::vector<Member> members;
+        std::vector<Index> panel{0};
+        for (Index k = 1; k < corners; ++k) {
+            // Members need lengths: those from the first node, which stands apart, have them.
+            members.push_back({0, k});
+            panel.push_back(k);
+        }
+        Panels panels;
+        panels.add(panel);
+        const auto net = std::make_shared<const Net>(nodes, members, panels);
+        for (const auto &load : every_panel_load())
+            EXPECT_LT(difference_of_loads(net, load), 1e-11)
+                << "trial " << trial << ", effect " << load.index() << "\n"
+                << nodes;
+    }
+}
+
+TEST(Certificate, AStiffElasticSupportIsExcusedItsRounding) {
+    // 10¹⁴ N/m at a node a kilometre off: a unit in the last place of its position is more than its load.
+    for (const double stiffness : {1e8, 1e10, 1e11, 1e12}) {
+        const auto scene = std::make_shared<const Scene>(
+            straight_chain(6, 1000),
+            std::vector<Support>{{.kind = SupportKind::fixed, .nodes = {0, 6}},
+                                 {.kind = SupportKind::fixed, .nodes = {3}, .stiffness = stiffness}},
+            std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e5)},
+                                           MemberWeight{1}});
+        const auto result = solved(scene);
+        if (result.status == Status::converged)
+            EXPECT_TRUE(certificate_of(scene, result).in_equilibrium)
+                << stiffness << ": " << certificate_of(scene, result).summary();
+    }
+}
+
+TEST(Certificate, ANetWithoutLoadsIsMeasuredByWhatPullCanBeTold) {
+    const Scene scene(flat_sheet(3, 3, 1), {{.kind = SupportKind::fixed, .nodes = {0, 3, 12, 15}}},
+                      {AxialStiffness{Eigen::VectorXd::Constant(1, 1e4), false}});
+    Points nodes = scene.net().nodes().rowwise() - scene.net().centre().transpose();
+    nodes *= 1 + 4e-16; // as far as a shape comes from its rest lengths by rounding
+    const auto rounded = certify(scene, nodes, nullptr, 1e-6);
+    EXPECT_TRUE(rounded.in_equilibrium) << rounded.summary();
+    nodes(5, 0) += 1e-6;
+    const auto pushed = certify(scene, nodes, nullptr, 1e-6);
+    EXPECT_FALSE(pushed.in_equilibrium);
+    EXPECT_GT(pushed.unexcused_residual, 0.1);
+}
+
+TEST(Certificate, MomentsOfAShapeFarLargerThanItsNetAreMeasuredByTheShape) {
+    // A soft strand a hundred times as long as its net; the same residual at each end of it.
+    const Scene scene(straight_chain(2, 1), {{.kind = SupportKind::fixed, .nodes = {0}}},
+                      {AxialStiffness{Eigen::VectorXd::Constant(1, 0.1)}, PointLoad{{2}, {0, 0, -10}}});
+    Points nodes(3, 3);
+    nodes << -0.5, 0, 0, -0.5, 0, 50.5, -0.5, 0, 101;
+    const auto exact = certify(scene, nodes, nullptr, 1e-4);
+    EXPECT_TRUE(exact.in_equilibrium) << exact.summary();
+    nodes(2, 0) += 101 * 0.8e-4;
+    nodes(1, 0) += 50.5 * 0.8e-4;
+    const auto leaning = certify(scene, nodes, nullptr, 1e-4);
+    EXPECT_NEAR(leaning.max_residual, 1.6e-4, 0.2e-4) << "of the mean of a load on one of two nodes";
+    EXPECT_LT(leaning.moment_balance, 1e-4);
 }
 
 } // namespace

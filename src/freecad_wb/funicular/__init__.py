@@ -40,18 +40,23 @@ def __getattr__(name):
     from . import _native
 
     core = _native.load()
-    _give_files_to(core.Net)
+    _give_files_to(core.Net, core.InvalidInput)
     for public in _NUMERIC_API:
         globals()[public] = getattr(core, public)
     return globals()[name]
 
 
-def _give_files_to(net_class):
+def _give_files_to(net_class, refusal):
     """Hangs reading and writing of files, which the core knows nothing of, on the core's Net."""
     from . import files
 
     def read(path):
-        return net_class(*files.read_mesh(path))
+        try:
+            return net_class(*files.read_mesh(path))
+        except ValueError as error:
+            # The readers name the file; the net, which may refuse what they read, knows of none.
+            named = str(error).startswith(str(path))
+            raise refusal(str(error) if named else f"{path}: {error}") from error
 
     def write(net, path):
         files.write_mesh(path, net.nodes, net.members, net.panels)
