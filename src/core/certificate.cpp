@@ -221,7 +221,7 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
     if (all > 0) {
         const double extent = std::max(net.size(), centred_nodes.rowwise().norm().maxCoeff());
         certificate.balance = (certificate.total_load + certificate.reaction_sum).norm() / all;
-        certificate.moment_balance = moment.norm() / (all * extent);
+        certificate.moment_balance = moment.norm() / extent / all;
         // What is excused at the nodes is excused in their sum.
         certificate.most_imbalance += std::min(rounding.sum() / all, most_excused_residual);
     }

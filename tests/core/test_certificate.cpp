@@ -215,19 +215,20 @@ TEST(Certificate, ItsPanelLoadsAreTheSolversOnPanelsOfAnyShape) {
     std::uniform_int_distribution<int> on_grid(-1, 1);
     for (int trial = 0; trial < 600; ++trial) {
         const Index corners = 3 + trial % 4;
-        Points nodes(corners, 3);
-        for (double &value : nodes.reshaped())
-            value = trial % 3 == 0 ? on_grid(random) : anywhere(random);
+        // The last node stands apart, so that the members, all of them there, have lengths.
+        Points nodes(corners + 1, 3);
+        for (Index k = 0; k < corners; ++k)
+            for (int axis = 0; axis < 3; ++axis)
+                nodes(k, axis) = trial % 3 == 0 ? on_grid(random) : anywhere(random);
         if (trial % 5 == 0)
             nodes.col(1).setZero();
         if (trial % 7 == 0)
             nodes.col(2) = nodes.col(0);
-        nodes(0, 0) += 2; // a net has a size
+        nodes.row(corners).setConstant(2);
         std::vector<Member> members;
-        std::vector<Index> panel{0};
-        for (Index k = 1; k < corners; ++k) {
-            // Members need lengths: those from the first node, which stands apart, have them.
-            members.push_back({0, k});
+        std::vector<Index> panel;
+        for (Index k = 0; k < corners; ++k) {
+            members.push_back({k, corners});
             panel.push_back(k);
         }
         Panels panels;
@@ -241,7 +242,7 @@ TEST(Certificate, ItsPanelLoadsAreTheSolversOnPanelsOfAnyShape) {
 }
 
 TEST(Certificate, AStiffElasticSupportIsExcusedItsRounding) {
-    // 10¹⁴ N/m at a node a kilometre off: a unit in the last place of its position is more than its load.
+    // At half a kilometre from the centre, a unit in the last place of the position is a part of its load.
     for (const double stiffness : {1e8, 1e10, 1e11, 1e12}) {
         const auto scene = std::make_shared<const Scene>(
             straight_chain(6, 1000),

@@ -17,7 +17,7 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import assume, event, given, strategies as st
+from hypothesis import assume, event, given, settings, strategies as st
 
 import funicular as fn
 from strategies import cases, convex_cases, powers
@@ -29,6 +29,8 @@ ARGUMENTS = (
 )
 # Rounding as the result's documentation excuses it: never above this part of the mean nodal load.
 MOST_EXCUSED = 1e-3
+# Examples, of what is costly or tried in many ways: a quarter of the profile's.
+FEWER = settings(max_examples=settings.default.max_examples // 4)
 
 
 def scene_or_none(case):
@@ -294,6 +296,7 @@ def test_a_solve_begun_at_the_solution_ends_at_once(case, method):
     )
 
 
+@FEWER  # relaxation takes its time
 @given(convex_cases())
 def test_newton_and_relaxation_find_the_shape_that_auto_finds(case):
     result = solved(case)
@@ -393,6 +396,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("what", WRONG)
+@FEWER  # there are as many of these as of all other properties
 @given(convex_cases(), st.data(), st.integers(0, 10_000))
 def test_one_wrong_value_is_named(what, case, data, at):
     assume(scene_or_none(case) is not None)
