@@ -225,10 +225,10 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
         // What is excused at the nodes is excused in their sum.
         certificate.most_imbalance += std::min(rounding.sum() / all, most_excused_residual);
     }
-    certificate.in_equilibrium =
-        certificate.unexcused_residual == 0 && certificate.support_error <= small * net.size() &&
-        certificate.balance <= certificate.most_imbalance &&
-        certificate.moment_balance <= certificate.most_imbalance;
+    certificate.in_equilibrium = certificate.unexcused_residual == 0 &&
+                                 certificate.support_error <= small * net.size() &&
+                                 certificate.balance <= certificate.most_imbalance &&
+                                 certificate.moment_balance <= certificate.most_imbalance;
     const bool something_carries = std::cmp_less(certificate.slack_members.size(), net.member_count());
     certificate.compression_only =
         certificate.in_equilibrium && certificate.tension_members.empty() && something_carries;

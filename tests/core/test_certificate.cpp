@@ -186,14 +186,14 @@ TEST(Certificate, CatchesAFalseEquilibriumInTheWrongSign) {
 TEST(Certificate, ItsLoadsAreTheSolversByOtherFormulas) {
     // Agreement of two codes that share nothing: each effect alone, each share, on a warped roof.
     const auto roof = warped_roof();
-    const std::vector<EffectDescription> loads{MemberWeight{12},
-                                               MemberWeight{12, Eigen::VectorXd::LinSpaced(
-                                                                    roof->net().member_count(), 1, 7)},
-                                               CoveringWeight{30, CornerShare::angle},
-                                               CoveringWeight{30, CornerShare::equal},
-                                               CoveringWeight{30, CornerShare::voronoi},
-                                               PointLoad{{4, 9}, {1, 2, 3}},
-                                               Snow{700}};
+    const std::vector<EffectDescription> loads{
+        MemberWeight{12},
+        MemberWeight{12, Eigen::VectorXd::LinSpaced(roof->net().member_count(), 1, 7)},
+        CoveringWeight{30, CornerShare::angle},
+        CoveringWeight{30, CornerShare::equal},
+        CoveringWeight{30, CornerShare::voronoi},
+        PointLoad{{4, 9}, {1, 2, 3}},
+        Snow{700}};
     for (const auto &load : loads) {
         const auto scene = std::make_shared<const Scene>(
             roof->shared_net(), roof->supports(),
@@ -234,10 +234,28 @@ TEST(Certificate, ItsPanelLoadsAreTheSolversOnPanelsOfAnyShape) {
         Panels panels;
         panels.add(panel);
         const auto net = std::make_shared<const Net>(nodes, members, panels);
+        bool has_edges = true;
+        for (Index k = 0; k < corners; ++k)
+            has_edges = has_edges && nodes.row(k) != nodes.row((k + 1) % corners);
+        if (!has_edges)
+            continue; // see below
         for (const auto &load : every_panel_load())
             EXPECT_LT(difference_of_loads(net, load), 1e-11)
                 << "trial " << trial << ", effect " << load.index() << "\n"
                 << nodes;
+    }
+}
+
+TEST(Certificate, ItsAnglesAreTheSolversWhereNeighbouringCornersCoincide) {
+    // An edge without length makes no angle, whichever way the one beside it runs.
+    for (const double way : {1.0, -1.0}) {
+        Points nodes(5, 3);
+        nodes << 0, 0, 0, way, 0, 0, way, way, way, 0, 0, 0, 2, 2, 2;
+        Panels panels;
+        panels.add(std::vector<Index>{0, 1, 2, 3});
+        const auto net =
+            std::make_shared<const Net>(nodes, std::vector<Member>{{0, 4}, {1, 4}, {2, 4}, {3, 4}}, panels);
+        EXPECT_LT(difference_of_loads(net, CoveringWeight{30, CornerShare::angle}), 1e-11) << way;
     }
 }
 
