@@ -46,7 +46,8 @@ void PanelGeometry::angles(std::vector<double> &angles) const {
     for (int k = 0; k < corner_count(); ++k) {
         const Vector3 a = corners_[after(k)] - corners_[k];
         const Vector3 b = corners_[before(k)] - corners_[k];
-        angles[k] = std::atan2(a.cross(b).norm(), a.dot(b));
+        // An edge without length makes no angle; adding zero takes away the sign of a product that is -0.
+        angles[k] = std::atan2(a.cross(b).norm(), a.dot(b) + 0.0);
     }
 }
 
