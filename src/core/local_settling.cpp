@@ -14,7 +14,10 @@ namespace {
 constexpr double restless_part = 0.03;
 // More than one node in so many are not a few.
 constexpr Index one_in_nodes = 10;
-constexpr int sweeps = 10;
+// Sweeps go on for as long as they cost less than a step of the whole net.
+constexpr Index nodes_per_update = 4;
+constexpr Index least_sweeps = 10;
+constexpr Index most_sweeps = 50;
 constexpr double longest_step = 0.2; // of the shortest member of a node
 
 } // namespace
@@ -42,7 +45,11 @@ void LocalSettling::settle(Points &x, Equilibrium &equilibrium, double floor) {
         return;
     kept_ = x;
     const double before = equilibrium.relative_residual();
-    for (int k = 0; k < sweeps; ++k)
+    if (restless_.empty())
+        return;
+    const Index wished = x.rows() / (nodes_per_update * static_cast<Index>(restless_.size()));
+    const Index sweeps = std::clamp(wished, least_sweeps, most_sweeps);
+    for (Index k = 0; k < sweeps; ++k)
         sweep(x, equilibrium, floor);
     equilibrium.evaluate(x);
     if (!(equilibrium.relative_residual() < before)) {
