@@ -133,6 +133,15 @@ void Equilibrium::linearise(const Points &x, AxialForces::Regularisation regular
     timed(0, [&] { scene_->axial().linearise(x, regularisation, member_tangents_); });
 }
 
+void Equilibrium::linearise_loads(const Points &x) {
+    load_gradients_.clear();
+    const auto &acting = scene_->acting();
+    are_gradients_kept_.assign(acting.size(), false);
+    for (std::size_t k = 0; k < acting.size(); ++k)
+        if (acting[k]->is_load())
+            timed(k, [&] { are_gradients_kept_[k] = acting[k]->keep_gradients(x, load_gradients_); });
+}
+
 void Equilibrium::tangent_product(const Points &x, const Points &motion, Points &product) {
     product.setZero(motion.rows(), 3);
     const auto &members = scene_->net().members();
@@ -146,8 +155,10 @@ void Equilibrium::tangent_product(const Points &x, const Points &motion, Points 
         product.row(support.node) += (support.stiffness * motion.row(support.node).transpose()).transpose();
     const auto &acting = scene_->acting();
     for (std::size_t k = 0; k < acting.size(); ++k)
-        if (acting[k]->is_load())
+        if (acting[k]->is_load() && !are_gradients_kept_[k])
             timed(k, [&] { acting[k]->add_tangent_product(x, motion, product); });
+    for (const auto &[node, by, gradient] : load_gradients_)
+        product(node, 2) -= gradient.dot(motion.row(by));
 }
 
 void Equilibrium::add_costs(const std::map<std::string, Cost> &other) {

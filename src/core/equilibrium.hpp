@@ -60,8 +60,10 @@ public:
     void member_tangent(const Points &x, AxialForces::Regularisation regularisation, BlockMatrix &tangent);
     /// Keeps the members' part of the tangent at x for the products to come.
     void linearise(const Points &x, AxialForces::Regularisation regularisation);
+    /// Keeps the loads' part, where that is worth its memory.
+    void linearise_loads(const Points &x);
     /// The tangent at x times a motion of the nodes, in the sense of `tangent`.
-    /// \pre linearise was called at x
+    /// \pre linearise and linearise_loads were called at x
     void tangent_product(const Points &x, const Points &motion, Points &product);
     /// The members' part that was kept.
     [[nodiscard]] const std::vector<AxialForces::MemberTangent> &member_tangents() const {
@@ -84,6 +86,8 @@ private:
     Points forces_, loads_;
     Eigen::VectorXd residual_;
     std::vector<AxialForces::MemberTangent> member_tangents_;
+    std::vector<LoadGradient> load_gradients_;
+    std::vector<bool> are_gradients_kept_;
     double mean_nodal_load_ = 0;
     double relative_residual_ = 0;
     double significant_residual_ = 0;

@@ -122,6 +122,7 @@ bool NewtonDirection::iterate(const Points &x, Equilibrium &equilibrium, double 
     const Freedoms &freedoms = equilibrium.scene().freedoms();
     const Eigen::VectorXd &residual = equilibrium.residual();
     equilibrium.linearise(x, {.floor = floor, .convex = equilibrium.relative_residual() > near_equilibrium});
+    equilibrium.linearise_loads(x);
     direction_.setZero(residual.size());
     progress_ = conjugate_residuals_.solve(
         [&](const Eigen::VectorXd &unknowns, Eigen::VectorXd &image) {

@@ -57,4 +57,11 @@ void CoveringLoads::add_tangent_product(const Points &x, const Points &motion, P
     });
 }
 
+bool CoveringLoads::keep_gradients(const Points &x, std::vector<LoadGradient> &kept) const {
+    differentiate(x, [&kept](Index node, Index by, const Vector3 &gradient) {
+        kept.push_back({.node = node, .by = by, .gradient = gradient});
+    });
+    return true;
+}
+
 } // namespace funicular

@@ -5,8 +5,15 @@
 #include "types.hpp"
 
 #include <string_view>
+#include <vector>
 
 namespace funicular {
+
+/// How the upward load on a node grows with the place of another.
+struct LoadGradient {
+    Index node, by;
+    Vector3 gradient;
+};
 
 /// One cause of nodal forces, in the scene's own units and in the sense of form finding: members pull,
 /// gravity is turned round. Holds what it needs of the scene and nothing that changes, so that several
@@ -30,6 +37,11 @@ public:
     /// Adds minus what a small motion of the nodes makes of the forces: the tangent times the motion, of
     /// which no matrix is made.
     virtual void add_tangent_product(const Points &x, const Points &motion, Points &product) const = 0;
+    /// Adds its gradients at x where products are had from them in less time than anew.
+    /// \returns whether it did
+    virtual bool keep_gradients(const Points & /*x*/, std::vector<LoadGradient> & /*kept*/) const {
+        return false;
+    }
 };
 
 } // namespace funicular

@@ -123,4 +123,11 @@ void SnowLoads::add_tangent_product(const Points &x, const Points &motion, Point
     });
 }
 
+bool SnowLoads::keep_gradients(const Points &x, std::vector<LoadGradient> &kept) const {
+    differentiate(x, [&kept](Index node, Index by, const Vector3 &gradient) {
+        kept.push_back({.node = node, .by = by, .gradient = gradient});
+    });
+    return true;
+}
+
 } // namespace funicular

@@ -23,6 +23,7 @@ public:
     void couple(Coupling &coupling) const override;
     void add_tangent(const Points &x, BlockMatrix &tangent) const override;
     void add_tangent_product(const Points &x, const Points &motion, Points &product) const override;
+    bool keep_gradients(const Points &x, std::vector<LoadGradient> &kept) const override;
 
 private:
     /// Calls add(node, by, gradient) for each derivative of a node's upward load by the place of another.
