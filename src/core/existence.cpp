@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "existence.hpp"
 
+#include "coarse_start.hpp"
+#include "newton.hpp"
 #include "text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -15,15 +18,15 @@ namespace {
 
 constexpr int most_steps_of_trial = 60;
 // Enough to tell an equilibrium from the narrow place that is left of one just beyond the limit.
-constexpr double residual_of_trial = 1e-4;
-constexpr double error_of_trial = 1e-3;
+constexpr Goal goal_of_trial{.tolerance = 1e-4, .accuracy = 1e-3};
 // So small that the position error, which rounding may hide, need not be known.
 constexpr double residual_of_rounding = 1e-10;
-// The growth is told from parts that differ by as much as this.
-constexpr double lesser_part = 0.95;
-// The whole was refused.
-constexpr double most_of_the_whole = 0.98;
+// Newton's method does not come back from so far.
+constexpr double hopeless_growth = 10 * most_growth;
+// Where the net grows this fast, its size settles the part to a few per cent.
+constexpr double nearly_grown = 0.95;
 constexpr double first_part = 0.25;
+constexpr double first_descent = 4;
 // No part of the loads worth naming.
 constexpr double least_part = 1e-12;
 // The search ends when the smallest part refused is this many times the largest part carried.
@@ -31,26 +34,18 @@ constexpr double narrow_bracket = 1.02;
 // How far to go up at once: at first, and where a refusal has turned out too early.
 constexpr double long_stride = 2;
 constexpr double short_stride = 1.05;
-// A refusal stands if it was tried from a shape that carries this part of it.
-constexpr double close_below = 0.985;
-
-/// How far a search follows a net, in terms of its size.
-struct GrowthLimits {
-    double telling;  ///< the limit can be told without going closer
-    double moderate; ///< what has grown more is left to extrapolation
-    double hopeless; ///< what is so large on the way is not waited for
-};
-constexpr GrowthLimits growth_of_small_net{1e3, 3e3, 1e5};
-// Each decade is costly, and from so far below nothing can be told: what is carried there is the figure.
-constexpr GrowthLimits growth_of_large_net{30, 100, 1e3};
-constexpr Index large_net = 1000;
-
-GrowthLimits growth_limits(const Scene &scene) {
-    return scene.net().node_count() < large_net ? growth_of_small_net : growth_of_large_net;
-}
-
+// A start is extrapolated no further than from the other shape to the one carried.
+constexpr double furthest_back = -1;
+// From here on the whole may be carried by a net that has grown more.
+constexpr double close_to_whole = 0.5;
 // Growth that deserves a word.
-constexpr double notable_growth = 10;
+constexpr double notable_growth = 2;
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+double box_diagonal(const Points &x) {
+    return (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
+}
 
 /// Three significant digits, none of them rounded up: what is said to be carried is.
 double rounded_down(double value) {
@@ -111,120 +106,133 @@ std::string stiffness_text(double value, bool per_spring) {
 
 } // namespace
 
-LoadLimitSearch::LoadLimitSearch(std::shared_ptr<const Scene> scene, Points start)
-    : scene_(std::move(scene)), start_(std::move(start)),
-      extent_(std::max(start_.cwiseAbs().maxCoeff(), scene_->net().size() / scene_->scale().length)),
-      stride_(long_stride) {
+LoadLimitSearch::LoadLimitSearch(std::shared_ptr<const Scene> scene, Points start, CoarserLevels levels)
+    : scene_(std::move(scene)), levels_(std::move(levels)), start_(std::move(start)),
+      size_(std::max(box_diagonal(start_), scene_->net().size() / scene_->scale().length) *
+            std::max(1.0, scene_->rest_lengths().sum() / scene_->net().source_lengths().sum())),
+      descent_(first_descent), stride_(long_stride) {
     try_part(first_part);
 }
 
 void LoadLimitSearch::try_part(double part) {
     part_ = part;
-    x_ = carried_ > 0 ? shape_ : start_;
-    newton_.reset();
+    x_ = start_for(part);
+    iteration_.reset();
     equilibrium_ =
         std::make_unique<Equilibrium>(std::make_shared<const Scene>(scene_->with_loads_times(part)));
     equilibrium_->evaluate(x_);
-    newton_ = std::make_unique<Newton>(*equilibrium_);
+    if (carried_.part > 0 || levels_.empty())
+        iteration_ = std::make_unique<Newton>(*equilibrium_, levels_);
+    else
+        iteration_ = std::make_unique<CoarseToFine>(*equilibrium_, levels_);
     steps_of_trial_ = 0;
+}
+
+Points LoadLimitSearch::start_for(double part) const {
+    if (carried_.part == 0)
+        return start_;
+    if (other_part_ == 0)
+        return shape_;
+    const double way = std::log(part / carried_.part) / std::log(other_part_ / carried_.part);
+    return shape_ + std::max(way, furthest_back) * (other_shape_ - shape_);
+}
+
+void LoadLimitSearch::carry(const Trial &trial) {
+    other_part_ = carried_.part;
+    other_shape_ = std::move(shape_);
+    carried_ = trial;
+    shape_ = x_;
+}
+
+double LoadLimitSearch::growth_of(const Points &x) const {
+    return box_diagonal(x) / size_;
 }
 
 bool LoadLimitSearch::step() {
     if (has_ended_)
         return true;
-    const double growth = x_.cwiseAbs().maxCoeff() / extent_;
-    const double error = newton_->position_error(x_, *equilibrium_, {});
+    const double growth = growth_of(x_);
+    const double error = iteration_->position_error(x_, *equilibrium_, goal_of_trial);
     ++steps_;
     if (equilibrium_->significant_residual() <= residual_of_rounding ||
-        (equilibrium_->significant_residual() <= residual_of_trial &&
-         error <= error_of_trial * growth * extent_))
-        end_trial(growth <= growth_limits(*scene_).moderate);
-    else if (!(growth < growth_limits(*scene_).hopeless) || ++steps_of_trial_ > most_steps_of_trial ||
-             newton_->move(x_, *equilibrium_) == Iteration::Move::impossible)
+        (equilibrium_->significant_residual() <= goal_of_trial.tolerance &&
+         error <= goal_of_trial.accuracy * growth * size_))
+        end_trial(true);
+    else if (!(growth < hopeless_growth) || ++steps_of_trial_ > most_steps_of_trial ||
+             iteration_->move(x_, *equilibrium_) == Iteration::Move::impossible)
         end_trial(false);
-    const bool is_large = scene_->net().node_count() >= large_net;
-    return has_ended_ = has_ended_ || steps_ >= (is_large ? most_steps_of_large_net : most_steps);
+    return has_ended_ = has_ended_ || steps_ >= most_steps;
 }
 
-double LoadLimitSearch::log_size(const Points &x) const {
-    return std::log((x.colwise().maxCoeff() - x.colwise().minCoeff()).norm());
-}
-
-void LoadLimitSearch::end_trial(bool is_carried) {
-    if (is_carried) {
-        carried_ = part_;
-        // What was refused without a start, or from farther below, may be no limit at all.
-        if (refused_from_ == 0 || part_ >= refused_) {
-            refused_ = std::min(1.0, stride_ * carried_);
-            refused_from_ = 0;
-        }
-        shape_ = x_;
-        growths_.push_back({part_, log_size(x_)});
-    } else {
-        if (carried_ > 0)
-            stride_ = short_stride;
-        refused_ = part_;
-        refused_from_ = carried_;
+void LoadLimitSearch::end_trial(bool is_at_rest) {
+    const Trial trial{part_, is_at_rest ? growth_of(x_) : unknown};
+    if (is_at_rest && part_ == 1) {
+        carry(trial);
+        has_ended_ = has_found_ = true;
+        return;
     }
-
-    if (carried_ >= 1 || refused_ < least_part) {
+    if (has_found_) { // the whole was tried for the last time
         has_ended_ = true;
         return;
     }
-    if (carried_ == 0)
-        return try_part(refused_ * refused_);
-    if (growth() < growth_limits(*scene_).telling) {
-        if (refused_from_ == 0)
-            return try_part(refused_);
-        if (refused_ > narrow_bracket * carried_)
-            return try_part(std::sqrt(carried_ * refused_));
-        if (refused_from_ < close_below * refused_)
-            return try_part(refused_);
+    if (trial.growth <= most_growth) {
+        carry(trial);
+        // What was refused without a start, or from farther below, may be no limit at all.
+        if (refused_from_ == 0 || part_ >= refused_.part) {
+            refused_ = {std::min(1.0, stride_ * part_), unknown};
+            refused_from_ = 0;
+        }
+    } else {
+        refused_ = trial;
+        refused_from_ = is_at_rest ? part_ : carried_.part;
+        if (is_at_rest) {
+            other_part_ = part_;
+            other_shape_ = x_;
+        }
+        if (!is_at_rest && carried_.part > 0)
+            stride_ = short_stride;
     }
+    try_next();
+}
+
+void LoadLimitSearch::try_next() {
+    if (carried_.part == 0) {
+        const double lower = refused_.part / descent_;
+        descent_ *= descent_;
+        if (lower < least_part)
+            has_ended_ = true;
+        else
+            try_part(lower);
+        return;
+    }
+    if (carried_.growth < nearly_grown * most_growth) {
+        if (refused_from_ == 0)
+            return try_part(refused_.part);
+        if (refused_.part > narrow_bracket * carried_.part)
+            return try_part(part_between());
+        if (refused_from_ * narrow_bracket < refused_.part)
+            return try_part(refused_.part);
+    }
+    has_found_ = true;
+    if (carried_.part >= close_to_whole && !(refused_.part == 1 && refused_from_ > 0))
+        return try_part(1);
     has_ended_ = true;
 }
 
-double LoadLimitSearch::growth() const {
-    return shape_.cwiseAbs().maxCoeff() / extent_;
-}
-
-double LoadLimitSearch::limit() const {
-    if (scene_->net().node_count() >= large_net || growth() < growth_limits(*scene_).telling)
-        return carried_;
-    std::vector<Growth> told{growths_.back()};
-    for (auto earlier = growths_.rbegin(); earlier != growths_.rend() && told.size() < 3; ++earlier)
-        if (earlier->part <= lesser_part * told.back().part)
-            told.push_back(*earlier);
-    if (told.size() < 3)
-        return carried_;
-    // Near a limit λ* of order p a net grows as size = C (λ* - λ)^-p, so that λ = λ* - A exp(-μ ln size), μ =
-    // 1/p; with μ = 0, which is growth without a limit, λ is linear in ln size.
-    const auto [part2, size2] = told[0];
-    const auto [part1, size1] = told[1];
-    const auto [part0, size0] = told[2];
-    const auto gain = [](double mu, double from, double to) { // of λ, relative to A exp(-μ from)
-        return mu == 0 ? to - from : -std::expm1(-mu * (to - from)) / mu;
-    };
-    const double wanted = (part2 - part1) / (part1 - part0);
-    const auto ratio = [&](double mu) {
-        return std::exp(-mu * (size1 - size0)) * gain(mu, size1, size2) / gain(mu, size0, size1);
-    };
-    double low = 0;
-    double high = 100;
-    if (ratio(0) > wanted)
-        for (int halving = 0; halving < 60; ++halving) {
-            const double middle = (low + high) / 2;
-            (ratio(middle) > wanted ? low : high) = middle;
-        }
-    const double runaway = log_size(start_) + std::log(runaway_growth);
-    const double further =
-        std::exp(-low * (size2 - size1)) * gain(low, size2, runaway) / gain(low, size1, size2);
-    return std::clamp(part2 + (part2 - part1) * further, carried_, std::max(carried_, most_of_the_whole));
+double LoadLimitSearch::part_between() const {
+    const double ratio = refused_.part / carried_.part;
+    if (!std::isfinite(refused_.growth))
+        return carried_.part * std::sqrt(ratio);
+    // Sizes grow like a power of the loads or faster, so that this falls short, if anything.
+    const double aim = 0.5 * (1 + nearly_grown) * most_growth;
+    const double way = std::log(aim / carried_.growth) / std::log(refused_.growth / carried_.growth);
+    return carried_.part * std::pow(ratio, std::clamp(way, 0.1, 0.9));
 }
 
 std::string LoadLimitSearch::message() const {
     const auto loads = named_loads(*scene_);
-    if (carried_ == 0 || carried_ == 1 || loads.empty())
+    const double most = carried_.part;
+    if (most == 0 || most == 1 || loads.empty())
         return "No equilibrium: the net grows without bound, as its weight is too large for its stiffness. "
                "Raise the axial stiffness, or lower the weights.";
     const AxialStiffness *axial = nullptr;
@@ -236,22 +244,20 @@ std::string LoadLimitSearch::message() const {
                                       ? "stiffness " + stiffness_text(axial->stiffness[0], axial->per_spring)
                                       : "the members' stiffness";
 
-    const double most = limit();
+    const std::string at_most = has_found_ ? "at most about " : "when the search was stopped, at least ";
     std::string text = "No equilibrium: ";
     if (loads.size() == 1) {
-        text += loads[0].text() + " is beyond what " + stiffness + " can carry; at most about " +
+        text += loads[0].text() + " is beyond what " + stiffness + " can carry; " + at_most +
                 loads[0].text_of(most);
     } else {
-        text += "the loads are " + to_text(1 / most) + " times what " + stiffness +
-                " can carry; at most about " + plain(rounded_down(100 * most)) + " % of them: ";
+        text += "the loads are " + to_text(1 / most) + " times what " + stiffness + " can carry; " + at_most +
+                plain(rounded_down(100 * most)) + " % of them: ";
         for (std::size_t k = 0; k < loads.size(); ++k)
             text += (k > 0 ? ", " : "") + loads[k].name + " " + loads[k].text_of(most);
     }
-    if (growth() > notable_growth)
+    if (carried_.growth > notable_growth)
         text +=
-            " (at " +
-            (loads.size() == 1 ? loads[0].text_of(carried_) : plain(rounded_down(100 * carried_)) + " %") +
-            " the net has already grown to " + plain(std::round(growth())) + " times its size)";
+            " (there the net has already grown to " + plain(std::round(carried_.growth)) + " times its size)";
     text += ".";
     // With the same loads over stiffness a net has the same shape, unless a support yields.
     if (scene_->elastic_supports().empty())

@@ -242,7 +242,7 @@ bool Solver::end_or_look_for_limit() {
             "in a direction in which a load acts: hold it there.");
     if (!load_limit_)
         load_limit_ = std::make_unique<LoadLimitSearch>(
-            scene_, scene_->on_supports(scene_->scale().to_local(scene_->net().nodes())));
+            scene_, scene_->on_supports(scene_->scale().to_local(scene_->net().nodes())), levels_);
     const bool must_end = report_.iteration >= iteration_limit() || seconds() >= options_.max_seconds;
     if (load_limit_->has_ended() || must_end)
         return end(Status::no_equilibrium, load_limit_->message());
