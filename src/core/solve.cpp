@@ -3,6 +3,7 @@
 
 #include "coarse_start.hpp"
 #include "errors.hpp"
+#include "messages.hpp"
 #include "newton.hpp"
 #include "relaxation.hpp"
 #include "text.hpp"
@@ -21,6 +22,10 @@ constexpr long most_newton_steps = 1000;
 constexpr long most_relaxation_steps = 10'000'000;
 // Where Newton's method found no step, relaxation gets so far or not at all.
 constexpr long most_steps_after_newton = 100'000;
+// Each costs a pass over the net: a large one must not be relaxed for hours to no end.
+constexpr long most_steps_to_halve = 2000;
+constexpr const char *allow_more = "Allow more, or ask for less accuracy.";
+constexpr const char *try_else = "Start from another shape, or ask for less accuracy.";
 constexpr int most_departures = 8;
 constexpr double seconds_between_reports = 0.01;
 constexpr std::size_t longest_history = 4096;
@@ -206,21 +211,11 @@ bool Solver::measure() {
            end(Status::cancelled, "Cancelled. The shape is that of the last iteration, not an equilibrium.");
 }
 
-std::string Solver::limit_message(const std::string &limit) const {
-    if (equilibrium_->is_hidden_by_rounding(goal_.tolerance))
-        return rounding_message();
-    const std::string missed =
-        report_.residual > goal_.tolerance
-            ? "The relative residual is " + to_text(report_.residual) + ", where " +
-                  to_text(goal_.tolerance) + " was asked for: this is not an equilibrium."
-            : "The residual is small, but nodes may be " + to_text(report_.position_error) +
-                  " m from equilibrium, where " + to_text(options_.accuracy) + " m was asked for.";
-    return "Stopped at the limit of " + limit + ". " + missed + " Allow more, or ask for less accuracy.";
-}
-
-std::string Solver::rounding_message() const {
-    return "Members or supports are so stiff for their load that rounding makes a relative residual of " +
-           to_text(report_.residual) + ": their forces cannot be told. Lower the stiffness.";
+std::string Solver::limit_message(const std::string &limit, const std::string &advice) const {
+    return equilibrium_->is_hidden_by_rounding(goal_.tolerance)
+               ? rounding_message(report_)
+               : "Stopped at " + limit + ". " +
+                     missed_message(report_, options_.tolerance, options_.accuracy) + " " + advice;
 }
 
 bool Solver::has_run_away() const {
@@ -266,22 +261,6 @@ bool Solver::look_for_limit() {
                                   "none was found.");
 }
 
-std::string Solver::equilibrium_message() const {
-    std::string text = "In equilibrium";
-    if (report_.residual > goal_.tolerance)
-        text += " as far as rounding lets one tell: members or supports are too stiff for a residual below " +
-                to_text(report_.residual);
-    text += ".";
-    if (instability_)
-        text += " It is an unstable one: " + std::to_string(count_pushing(x_, *equilibrium_)) +
-                " two-way members hold it as struts (tension members of the built structure), and a "
-                "disturbance would take it elsewhere. Compression-only members have no such state.";
-    if (const Index loose = count_loose_nodes(x_, *equilibrium_); loose > 0)
-        text += " At " + std::to_string(loose) + (loose == 1 ? " node" : " nodes") +
-                " every member is slack: nothing holds " + (loose == 1 ? "it" : "them") + " in place.";
-    return text;
-}
-
 /// Ends the solve at an equilibrium, unless that is one in the wrong sign that can be left. With struts,
 /// which only two-way members can be, a net has several equilibria; meant is the one that the start shape
 /// leads to, and not one that coarser nets did.
@@ -296,21 +275,26 @@ bool Solver::end_converged() {
     }
     instability_ = find_instability(x_, *equilibrium_);
     if (!instability_ || !instability_->way_out)
-        return end(Status::converged, equilibrium_message());
-    const std::string found =
-        " It has found an unstable equilibrium, in which two-way members hold loads up as "
-        "struts or would buckle.";
-    const std::string advice = " Start from a shape on the other side, or take compression-only members.";
+        return end(Status::converged, equilibrium_message(x_, *equilibrium_, report_, goal_.tolerance,
+                                                          instability_.has_value()));
     if (report_.iteration >= iteration_limit())
-        return end(Status::iteration_limit, "Stopped at the limit of " + std::to_string(iteration_limit()) +
-                                                " iterations." + found + advice);
+        return end(Status::iteration_limit, unstable_message(steps_text(iteration_limit())));
     if (seconds() >= options_.max_seconds)
-        return end(Status::time_limit,
-                   "Stopped at the limit of " + to_text(options_.max_seconds) + " seconds." + found + advice);
+        return end(Status::time_limit, unstable_message(seconds_text(options_.max_seconds)));
     if (departures_ >= most_departures)
-        return end(Status::iteration_limit, "Stopped at the limit of " + std::to_string(most_departures) +
-                                                " attempts to find a stable shape." + found + advice);
+        return end(Status::iteration_limit,
+                   unstable_message("the limit of " + std::to_string(most_departures) +
+                                    " attempts to find a stable shape"));
     return false;
+}
+
+/// Whether the relaxation that follows where Newton's method found no step has come to nothing either.
+bool Solver::has_stalled() {
+    if (method_ != Method::relaxation || options_.method == Method::relaxation)
+        return false;
+    if (report_.residual <= halved_.residual / 2)
+        halved_ = report_;
+    return report_.iteration - halved_.iteration >= most_steps_to_halve;
 }
 
 bool Solver::end_if_decided() {
@@ -318,14 +302,19 @@ bool Solver::end_if_decided() {
     if (is_near && equilibrium_->significant_residual() <= goal_.tolerance)
         return end_converged();
     if (is_near && equilibrium_->is_hidden_by_rounding(goal_.tolerance))
-        return end(Status::iteration_limit, rounding_message());
+        return end(Status::iteration_limit, rounding_message(report_));
     if (has_run_away())
         return end_or_look_for_limit();
     if (report_.iteration >= iteration_limit())
-        return end(Status::iteration_limit, limit_message(std::to_string(iteration_limit()) + " iterations"));
+        return end(Status::iteration_limit, limit_message(steps_text(iteration_limit()), allow_more));
     if (seconds() >= options_.max_seconds)
-        return end(Status::time_limit, limit_message(to_text(options_.max_seconds) + " seconds"));
-    return false;
+        return end(Status::time_limit, limit_message(seconds_text(options_.max_seconds), allow_more));
+    return has_stalled() &&
+           end(Status::iteration_limit,
+               limit_message(
+                   "a shape from which Newton's method found no step that lowers the residual, and " +
+                       std::to_string(most_steps_to_halve) + " steps of relaxation have not halved it",
+                   try_else));
 }
 
 long Solver::iteration_limit() const {
@@ -352,8 +341,11 @@ bool Solver::make_move() {
         const bool only_accuracy_is_missing = report_.residual <= goal_.tolerance;
         if (options_.method != Method::automatic || only_accuracy_is_missing)
             return end(Status::iteration_limit,
-                       limit_message("what Newton's method can do (no step from here lowers the residual)"));
+                       limit_message(
+                           "the limit of what Newton's method can do (no step from here lowers the residual)",
+                           try_else));
         use(Method::relaxation);
+        halved_ = report_;
         iteration_->move(x_, *equilibrium_);
     }
     ++report_.iteration;

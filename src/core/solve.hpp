@@ -53,16 +53,15 @@ private:
     void use(Method method);
     void publish();
     bool told(const Report &report);
-    [[nodiscard]] std::string limit_message(const std::string &limit) const;
-    [[nodiscard]] std::string rounding_message() const;
+    [[nodiscard]] std::string limit_message(const std::string &limit, const std::string &advice) const;
     [[nodiscard]] bool has_run_away() const;
     [[nodiscard]] bool has_moved_as_a_whole() const;
     bool end_or_look_for_limit();
     bool look_for_limit();
     bool end_converged();
-    [[nodiscard]] std::string equilibrium_message() const;
     bool end(Status status, std::string message);
     bool measure();
+    bool has_stalled();
     bool end_if_decided();
     bool make_move();
     [[nodiscard]] long iteration_limit() const;
@@ -79,6 +78,7 @@ private:
     Points start_, x_;
     double extent_ = 0; ///< of the start shape, in the scene's own units
     Report report_;
+    Report halved_; ///< when the relaxation that follows Newton's method last halved the residual
     std::unique_ptr<LoadLimitSearch> load_limit_; ///< once the net has run away
     std::optional<Instability> instability_;      ///< of the present shape, if it is an equilibrium
     int departures_ = 0;                          ///< from equilibria in the wrong sign
