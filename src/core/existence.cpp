@@ -41,6 +41,8 @@ constexpr double close_to_whole = 0.5;
 // Growth that deserves a word.
 constexpr double notable_growth = 2;
 
+constexpr Index large_net = 1000;
+
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 double box_diagonal(const Points &x) {
@@ -105,6 +107,10 @@ std::string stiffness_text(double value, bool per_spring) {
 }
 
 } // namespace
+
+double runaway_growth_of(const Scene &scene) {
+    return scene.net().node_count() < large_net ? runaway_growth : runaway_growth_of_large_net;
+}
 
 LoadLimitSearch::LoadLimitSearch(std::shared_ptr<const Scene> scene, Points start, CoarserLevels levels)
     : scene_(std::move(scene)), levels_(std::move(levels)), start_(std::move(start)),
@@ -245,7 +251,10 @@ std::string LoadLimitSearch::message() const {
                                       : "the members' stiffness";
 
     const std::string at_most = has_found_ ? "at most about " : "when the search was stopped, at least ";
-    std::string text = "No equilibrium: ";
+    const double runaway = runaway_growth_of(*scene_);
+    std::string text = runaway == runaway_growth
+                           ? "No equilibrium: "
+                           : "No equilibrium within " + plain(runaway) + " times the size of the net: ";
     if (loads.size() == 1) {
         text += loads[0].text() + " is beyond what " + stiffness + " can carry; " + at_most +
                 loads[0].text_of(most);

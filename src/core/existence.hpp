@@ -13,6 +13,9 @@ namespace funicular {
 
 /// A net on its way to this many times its size has no equilibrium that anyone would build.
 inline constexpr double runaway_growth = 1e5;
+/// On a large net each step of the way costs as much as a solve of a small one.
+inline constexpr double runaway_growth_of_large_net = 100;
+[[nodiscard]] double runaway_growth_of(const Scene &scene);
 /// The figure that is named for what a net can carry is what it carries without growing to more than this
 /// many times its size. Near the limit of existence nets grow exponentially with their loads: where that ends
 /// would be a matter of patience and rounding, and of use to nobody.

@@ -219,7 +219,7 @@ std::string Solver::limit_message(const std::string &limit, const std::string &a
 }
 
 bool Solver::has_run_away() const {
-    return report_.iteration > 0 && !(x_.cwiseAbs().maxCoeff() < runaway_growth * extent_);
+    return report_.iteration > 0 && !(x_.cwiseAbs().maxCoeff() < runaway_growth_of(*scene_) * extent_);
 }
 
 bool Solver::has_moved_as_a_whole() const {
