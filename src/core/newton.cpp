@@ -30,6 +30,8 @@ constexpr int most_direct_steps = 40;
 // are moderate.
 constexpr double softest_stiffness_per_load = 10;
 constexpr double first_stage_ratio = 10;
+// In that measure of stiffness.
+constexpr double stiffness_for_exact_steps = 3;
 constexpr double largest_stage_ratio = 1e3;
 constexpr double residual_of_stage = 1e-2;
 // In the scene's own units, in which the net has a size of about one.
@@ -75,6 +77,11 @@ NewtonDirection direction_for(const Equilibrium &equilibrium, const CoarserLevel
 }
 
 } // namespace
+
+bool calls_for_exact_steps(const Equilibrium &equilibrium) {
+    return equilibrium.scene().axial().is_compression_only() &&
+           stiffest_member(equilibrium) > stiffness_for_exact_steps * soft_stiffness(equilibrium);
+}
 
 Newton::Newton(const Equilibrium &equilibrium, CoarserLevels levels)
     : levels_(std::move(levels)), direction_(direction_for(equilibrium, levels_)),

@@ -10,6 +10,10 @@
 
 namespace funicular {
 
+/// Whether members are so stiff for the loads that which of them go slack is settled by hairs. Inexact steps
+/// wander there for long, where exact ones arrive.
+[[nodiscard]] bool calls_for_exact_steps(const Equilibrium &equilibrium);
+
 /// Newton's method with a line search on the work of the residual.
 ///
 /// The load depends on the shape and has no potential, so that no energy can judge a step. What exists is the

@@ -36,7 +36,7 @@ constexpr int most_cycles = 40;
 // What was prepared where the relative residual was below this is of use to the end, unless so many
 // iterations say otherwise.
 constexpr double residual_to_keep = 0.3;
-constexpr int most_with_kept_factor = 15;
+constexpr int most_with_kept = 15;
 constexpr int most_with_new_factor = 60;
 constexpr int most_to_keep = 8;
 
@@ -72,13 +72,14 @@ void NewtonDirection::compute(const Points &x, Equilibrium &equilibrium, const G
     is_newton_step_ = false;
     motion_.resize(x.rows(), 3);
     if (!is_factor_) {
-        bool is_prepared = prepared_at_ < residual_to_keep && progress_.iterations <= most_to_keep;
-        if (!is_prepared) {
+        const bool is_kept = prepared_at_ < residual_to_keep && progress_.iterations <= most_to_keep;
+        is_newton_step_ = is_kept && iterate(x, equilibrium, floor, accuracy, most_with_kept);
+        if (!is_newton_step_) {
             equilibrium.linearise(x, {.floor = floor, .convex = true});
-            is_prepared = preconditioner_->prepare(x, equilibrium, floor);
             prepared_at_ = equilibrium.relative_residual();
+            is_newton_step_ = preconditioner_->prepare(x, equilibrium, floor) &&
+                              iterate(x, equilibrium, floor, accuracy, most_cycles);
         }
-        is_newton_step_ = is_prepared && iterate(x, equilibrium, floor, accuracy, most_cycles);
         if (!is_newton_step_) {
             preconditioner_ = std::make_unique<KeptFactor>(equilibrium);
             is_factor_ = true;
@@ -87,7 +88,7 @@ void NewtonDirection::compute(const Points &x, Equilibrium &equilibrium, const G
     if (is_factor_) {
         accuracy = std::min(accuracy, accuracy_of_factor);
         if (!is_stale_)
-            is_newton_step_ = iterate(x, equilibrium, floor, accuracy, most_with_kept_factor);
+            is_newton_step_ = iterate(x, equilibrium, floor, accuracy, most_with_kept);
         if (!is_newton_step_) {
             const bool is_prepared = prepare_factor(x, equilibrium, floor);
             if (is_prepared)

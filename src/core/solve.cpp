@@ -97,6 +97,10 @@ void Solver::begin(const Points &local_start, bool is_cold) {
     load_limit_.reset();
     instability_.reset();
     departures_ = 0;
+    if (!levels_.empty() && calls_for_exact_steps(*equilibrium_)) {
+        levels_ = {};
+        iteration_.reset();
+    }
     if (is_cold && !levels_.empty()) {
         method_ = Method::newton;
         iteration_ = std::make_unique<CoarseToFine>(*equilibrium_, levels_);
