@@ -66,6 +66,15 @@ void expect_tangent_of_forces(const Effect &effect, const Points &x) {
     const Eigen::MatrixXd expected = differences(effect, x);
     const double scale = std::max(1e-12, expected.cwiseAbs().maxCoeff());
     EXPECT_LT((dense(tangent, node_count) - expected).cwiseAbs().maxCoeff() / scale, 1e-8) << effect.name();
+
+    // The product is added to what is there, and needs no matrix.
+    const Points motion = Points::Random(node_count, 3);
+    const Points before = Points::Random(node_count, 3);
+    Points product = before;
+    effect.add_tangent_product(x, motion, product);
+    EXPECT_LT((flat(product - before) - dense(tangent, node_count) * flat(motion)).cwiseAbs().maxCoeff() / scale,
+              1e-13)
+        << effect.name();
 }
 
 const Scale unit{};

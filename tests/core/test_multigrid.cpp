@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <numbers>
 
 namespace funicular::test {
 
@@ -58,35 +59,54 @@ struct MembersSystem {
     Points motion;
 };
 
-/// A sheet of `cells` under its weight, held at its corners and, if so asked, elsewhere.
-ScenePtr sheet(Index cells, double stiffness = 1e5, bool compression_only = true,
-               std::vector<Support> more = {}) {
-    const auto net = flat_sheet(8, 8, 8.0 / cells);
-    more.push_back({.kind = SupportKind::fixed, .nodes = net->lattice()->corners()});
-    return std::make_shared<const Scene>(
-        net, std::move(more),
-        std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, stiffness), compression_only},
-                                       CoveringWeight{40}});
-}
+/// A sheet of `cells` whose lines weigh 500 N/m, held along its border or at its corners, and elsewhere if so
+/// asked.
+struct Sheet {
+    Index cells = 32;
+    double stiffness = 1e5;
+    bool compression_only = true;
+    bool by_corners = false;
+    std::vector<Support> more = {};
 
-ScenePtr cylinder(Index around, Index up) {
+    [[nodiscard]] ScenePtr scene() const {
+        const auto net = flat_sheet(10, 10, 10.0 / cells);
+        auto supports = more;
+        supports.push_back(
+            {.kind = SupportKind::fixed, .nodes = by_corners ? net->lattice()->corners() : net->border()});
+        return std::make_shared<const Scene>(
+            net, std::move(supports),
+            std::vector<EffectDescription>{
+                AxialStiffness{Eigen::VectorXd::Constant(1, stiffness), compression_only},
+                MemberWeight{500 / standard_gravity}});
+    }
+};
+
+/// A ring of lines between two circles, both held: closed, flat to begin with.
+ScenePtr ring(Index around, Index across) {
     LatticeRecipe recipe;
     recipe.cells_u = around;
-    recipe.cells_v = up;
+    recipe.cells_v = across;
     recipe.closed_u = true;
     auto lattice = std::make_shared<const Lattice>(recipe);
     Points nodes(lattice->uv().rows(), 3);
     for (Index i = 0; i < nodes.rows(); ++i) {
-        const double azimuth = 2 * 3.14159265358979 * lattice->uv()(i, 0);
-        nodes.row(i) << std::cos(azimuth), std::sin(azimuth), 2 * lattice->uv()(i, 1);
+        const double azimuth = 2 * std::numbers::pi * lattice->uv()(i, 0);
+        const double radius = 2 + 4 * lattice->uv()(i, 1);
+        nodes.row(i) << radius * std::cos(azimuth), radius * std::sin(azimuth), 0;
     }
-    const auto foot = lattice->sides().at(Side::v_min);
-    const auto head = lattice->sides().at(Side::v_max);
+    const auto inner = lattice->sides().at(Side::v_min);
+    const auto outer = lattice->sides().at(Side::v_max);
     return std::make_shared<const Scene>(
         make_net(lattice, nodes),
-        std::vector<Support>{{.kind = SupportKind::fixed, .nodes = foot},
-                             {.kind = SupportKind::fixed, .nodes = head}},
-        std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e4)}, CoveringWeight{40}});
+        std::vector<Support>{{.kind = SupportKind::fixed, .nodes = inner},
+                             {.kind = SupportKind::fixed, .nodes = outer}},
+        std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e5)},
+                                       MemberWeight{500 / standard_gravity}});
+}
+
+/// Ten metres high; lines weigh 250 N/m.
+ScenePtr dome(Index around, Index up) {
+    return hemisphere(around, up, 10, 1e5, true, 250 / standard_gravity);
 }
 
 Points shape_of(const ScenePtr &scene) {
@@ -172,40 +192,45 @@ TEST(LineSmoother, SolvesALineBesideNodesAtRest) {
 }
 
 TEST(Multigrid, FallsFiveTimesWithEachIterationOnSheets) {
-    EXPECT_LE(iterations(sheet(32)), 8);
-    EXPECT_LE(iterations(sheet(32, 1e7)), 8) << "a hundred times as stiff";
-    EXPECT_LE(iterations(sheet(27)), 8) << "odd cells";
-    EXPECT_LE(iterations(sheet(32, 1e5, false)), 8) << "two-way";
+    EXPECT_LE(iterations(Sheet{}.scene()), 8);
+    EXPECT_LE(iterations(Sheet{.stiffness = 1e7}.scene()), 8) << "a hundred times as stiff";
+    EXPECT_LE(iterations(Sheet{.cells = 27}.scene()), 8) << "odd cells";
+    EXPECT_LE(iterations(Sheet{.compression_only = false}.scene()), 8) << "two-way";
 }
 
 TEST(Multigrid, FallsFiveTimesWithEachIterationOnClosedLattices) {
-    EXPECT_LE(iterations(cylinder(32, 16)), 8);
-    EXPECT_LE(iterations(cylinder(29, 17)), 8) << "odd cells";
-    EXPECT_LE(iterations(hemisphere(32, 16, 5, 1e6, true, 20)), 8) << "with a pole";
-    EXPECT_LE(iterations(hemisphere(27, 13, 5, 1e6, true, 20)), 8) << "odd cells and a pole";
+    EXPECT_LE(iterations(ring(48, 16)), 8);
+    EXPECT_LE(iterations(ring(43, 13)), 8) << "odd cells";
+    EXPECT_LE(iterations(dome(32, 8)), 8) << "with a pole";
+    EXPECT_LE(iterations(dome(27, 9)), 8) << "odd cells and a pole";
 }
 
 TEST(Multigrid, FallsFiveTimesWithEachIterationOnSupportsOfEveryKind) {
     const Index inside = 33 * 11 + 17; // on no coarser line
-    EXPECT_LE(iterations(sheet(32, 1e5, true, {{.kind = SupportKind::fixed, .nodes = {inside}}})), 8);
-    EXPECT_LE(iterations(sheet(32, 1e5, true,
-                               {{.kind = SupportKind::fixed, .nodes = {inside, 500}, .stiffness = 2e3}})),
+    EXPECT_LE(iterations(Sheet{.more = {{.kind = SupportKind::fixed, .nodes = {inside}}}}.scene()), 8);
+    EXPECT_LE(iterations(Sheet{.more = {{.kind = SupportKind::fixed,
+                                         .nodes = {inside, 500},
+                                         .stiffness = 2e3}}}
+                             .scene()),
               8);
     std::vector<Index> edge;
-    for (Index i = 0; i <= 32; ++i)
+    std::vector<Index> middle;
+    for (Index i = 0; i <= 32; ++i) {
         edge.push_back(i);
-    EXPECT_LE(iterations(sheet(
-                  32, 1e5, true, {{.kind = SupportKind::on_line, .nodes = edge, .direction = {1, 0, 0}}})),
-              8);
-    EXPECT_LE(iterations(sheet(
-                  32, 1e5, true, {{.kind = SupportKind::on_plane, .nodes = edge, .direction = {0, 1, 0}}})),
-              8);
+        middle.push_back(33 * 11 + i);
+    }
+    const Support on_line{.kind = SupportKind::on_line, .nodes = middle, .direction = {1, 0, 0}};
+    const Support on_plane{.kind = SupportKind::on_plane, .nodes = edge, .direction = {0, 1, 0}};
+    EXPECT_LE(iterations(Sheet{.more = {on_line}}.scene()), 8);
+    EXPECT_LE(iterations(Sheet{.by_corners = true, .more = {on_plane}}.scene()), 8);
 }
 
 TEST(Multigrid, IterationsHardlyGrowWithTheNet) {
-    const int few = iterations(sheet(16));
-    EXPECT_LE(iterations(sheet(32)), few + 2);
-    EXPECT_LE(iterations(sheet(64)), few + 2);
+    for (const bool by_corners : {false, true}) {
+        const int few = iterations(Sheet{.cells = 16, .by_corners = by_corners}.scene());
+        EXPECT_LE(iterations(Sheet{.cells = 32, .by_corners = by_corners}.scene()), few + 1);
+        EXPECT_LE(iterations(Sheet{.cells = 64, .by_corners = by_corners}.scene()), few + 1);
+    }
 }
 
 TEST(Multigrid, SolvesWhereEveryNodeIsHeld) {
@@ -318,8 +343,9 @@ TEST(NewtonDirection, IsThatOfTheFullTangentOnBothPaths) {
                 const double accuracy = std::min(0.1, std::max(1e-6, 0.1 * equilibrium.relative_residual()));
                 EXPECT_LE((residual - tangent * direction.unknowns()).norm(),
                           1.01 * accuracy * residual.norm());
-                const Eigen::VectorXd exact = tangent.partialPivLu().solve(residual);
-                EXPECT_LE((direction.unknowns() - exact).norm(), 5 * accuracy * exact.norm());
+                const Eigen::PartialPivLU<Eigen::MatrixXd> dense(tangent);
+                EXPECT_LE((direction.unknowns() - dense.solve(residual)).norm(),
+                          1.01 * accuracy * dense.inverse().norm() * residual.norm());
                 EXPECT_GT(residual.dot(direction.unknowns()), 0);
                 EXPECT_NEAR(direction.largest_motion(), direction.motion().rowwise().norm().maxCoeff(), 0);
             }
@@ -350,7 +376,7 @@ private:
 };
 
 TEST(NewtonDirection, KeepsMultigridNearEquilibriumAndPreparesItAnewForAnotherScene) {
-    const auto scene = sheet(16);
+    const auto scene = Sheet{.cells = 16}.scene();
     const Points x = shape_of(scene);
     Observed::Log log;
     NewtonDirection direction(std::make_unique<Observed>(
@@ -364,7 +390,7 @@ TEST(NewtonDirection, KeepsMultigridNearEquilibriumAndPreparesItAnewForAnotherSc
     EXPECT_EQ(log.preparations, 1);
     // As after Solver::replace: what was made for other members no longer serves, and is not to blame.
     for (const double times : {1e3, 1e-3}) {
-        const auto other = sheet(16, times * 1e5);
+        const auto other = Sheet{.cells = 16, .stiffness = times * 1e5}.scene();
         Equilibrium stiffer(other);
         const Points there = shape_of(other);
         stiffer.evaluate(there * (1 + 1e-6));
