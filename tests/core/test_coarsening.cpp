@@ -182,9 +182,9 @@ TEST(Coarsening, InterpolatesAcrossTheSeamAsAnywhere) {
     coarsening->interpolate(turned, found_turned);
     for (Index j = 0; j < fine->lines_v(); ++j)
         for (Index i = 0; i < fine->lines_u(); ++i)
-            EXPECT_LT((found_turned.row(fine->node_at((i + 2) % 12, j)) - found.row(fine->node_at(i, j)))
-                          .norm(),
-                      1e-14);
+            EXPECT_LT(
+                (found_turned.row(fine->node_at((i + 2) % 12, j)) - found.row(fine->node_at(i, j))).norm(),
+                1e-14);
 }
 
 /// Of coarse members side by side across the lattice, and of the fine strands in their place.
@@ -205,8 +205,7 @@ TEST(Coarsening, StiffnessOfParallelLinesIsKept) {
         for (const auto &[member, first, second, part] : coarsening->strands()) {
             ASSERT_TRUE(first >= 0 && first < count && second < count);
             coarse_stiffness[member] +=
-                part *
-                (second < 0 ? stiffness[first] : 1 / (1 / stiffness[first] + 1 / stiffness[second]));
+                part * (second < 0 ? stiffness[first] : 1 / (1 / stiffness[first] + 1 / stiffness[second]));
         }
         const Index coarse_cells = coarsening->coarse()->recipe().cells_u;
         for (Index cell = 0; cell < coarse_cells; ++cell) {
@@ -286,12 +285,13 @@ std::size_t places(const std::vector<Support> &supports) {
 }
 
 TEST(LatticeLevels, StiffnessOfYieldingSupportsIsPassedOnWhole) {
-    const auto net = flat_sheet(6, 6, 1);
+    const auto net = flat_sheet(8, 8, 1);
     const auto scene = sheet_scene(net, {{.kind = SupportKind::fixed, .nodes = {8}, .stiffness = 300},
                                          {.kind = SupportKind::on_line, .nodes = {0, 1, 17}, .stiffness = 7},
                                          {.kind = SupportKind::fixed, .nodes = {10}}});
-    for (std::size_t k = 0; k < coarser_levels(*scene).size(); ++k) {
-        const auto levels = coarser_levels(*scene);
+    const auto levels = coarser_levels(*scene);
+    ASSERT_GE(levels.size(), 2U);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
         double fixed = 0;
         double on_line = 0;
         Index rigid = 0;
@@ -313,8 +313,8 @@ TEST(LatticeLevels, SupportsDoNotMultiplyFromNetToNet) {
     // nodes, however many levels there are.
     for (const double stiffness : {100.0, std::numeric_limits<double>::infinity()}) {
         const auto net = flat_sheet(32, 32, 1);
-        const auto scene =
-            sheet_scene(net, {{.kind = SupportKind::on_plane, .nodes = all_nodes(*net), .stiffness = stiffness}});
+        const auto scene = sheet_scene(
+            net, {{.kind = SupportKind::on_plane, .nodes = all_nodes(*net), .stiffness = stiffness}});
         const auto levels = coarser_levels(*scene);
         ASSERT_GE(levels.size(), 4U);
         for (std::size_t k = 0; k < levels.size(); ++k)

@@ -72,7 +72,8 @@ void expect_tangent_of_forces(const Effect &effect, const Points &x) {
     const Points before = Points::Random(node_count, 3);
     Points product = before;
     effect.add_tangent_product(x, motion, product);
-    EXPECT_LT((flat(product - before) - dense(tangent, node_count) * flat(motion)).cwiseAbs().maxCoeff() / scale,
+    EXPECT_LT((flat(product - before) - dense(tangent, node_count) * flat(motion)).cwiseAbs().maxCoeff() /
+                  scale,
               1e-13)
         << effect.name();
 }

@@ -208,11 +208,10 @@ TEST(Multigrid, FallsFiveTimesWithEachIterationOnClosedLattices) {
 TEST(Multigrid, FallsFiveTimesWithEachIterationOnSupportsOfEveryKind) {
     const Index inside = 33 * 11 + 17; // on no coarser line
     EXPECT_LE(iterations(Sheet{.more = {{.kind = SupportKind::fixed, .nodes = {inside}}}}.scene()), 8);
-    EXPECT_LE(iterations(Sheet{.more = {{.kind = SupportKind::fixed,
-                                         .nodes = {inside, 500},
-                                         .stiffness = 2e3}}}
-                             .scene()),
-              8);
+    EXPECT_LE(
+        iterations(
+            Sheet{.more = {{.kind = SupportKind::fixed, .nodes = {inside, 500}, .stiffness = 2e3}}}.scene()),
+        8);
     std::vector<Index> edge;
     std::vector<Index> middle;
     for (Index i = 0; i <= 32; ++i) {
@@ -243,54 +242,14 @@ TEST(Multigrid, SolvesWhereEveryNodeIsHeld) {
             all.erase(all.begin() + 30);
         const auto scene = std::make_shared<const Scene>(
             net, std::vector<Support>{{.kind = SupportKind::fixed, .nodes = all}},
-            std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e4)}, MemberWeight{1}});
+            std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e4)},
+                                           MemberWeight{1}});
         MembersSystem system(scene, scene->scale().to_local(net->nodes()), 1e-3);
         Multigrid multigrid(*scene, coarser_levels(*scene));
         EXPECT_TRUE(multigrid.prepare(system.x, system.equilibrium, system.floor));
         EXPECT_LE(system.solve(multigrid).residual, 1e-6);
         EXPECT_EQ(solve(scene).status, Status::converged);
     }
-}
-
-TEST(ConjugateResiduals, SolvesAnUnsymmetricSystem) {
-    std::srand(3);
-    for (const Index size : {1, 5, 40}) {
-        const Eigen::MatrixXd matrix =
-            4 * Eigen::MatrixXd::Identity(size, size) + 3 * Eigen::MatrixXd::Random(size, size) / std::sqrt(size);
-        const Eigen::VectorXd right = Eigen::VectorXd::Random(size);
-        for (const double tolerance : {1e-2, 1e-6, 1e-11}) {
-            Eigen::VectorXd x = Eigen::VectorXd::Zero(size);
-            ConjugateResiduals residuals;
-            for (const bool is_begun : {false, true}) { // anew, and from what is known
-                const auto progress = residuals.solve(
-                    [&](const Eigen::VectorXd &v, Eigen::VectorXd &image) { image = matrix * v; },
-                    [](const Eigen::VectorXd &v, Eigen::VectorXd &image) { image = v; }, right, tolerance, 200,
-                    x);
-                EXPECT_LE(progress.residual, tolerance);
-                EXPECT_NEAR((right - matrix * x).norm() / right.norm(), progress.residual, 1e-13);
-                EXPECT_EQ(progress.iterations == 0, is_begun);
-            }
-        }
-    }
-}
-
-TEST(ConjugateResiduals, SayWhatIsLeftWhereTheyStop) {
-    const Eigen::MatrixXd matrix = Eigen::VectorXd::LinSpaced(50, 1, 1e4).asDiagonal();
-    const Eigen::VectorXd right = Eigen::VectorXd::Ones(50);
-    const auto identity = [](const Eigen::VectorXd &v, Eigen::VectorXd &image) { image = v; };
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(50);
-    const auto progress = ConjugateResiduals().solve(
-        [&](const Eigen::VectorXd &v, Eigen::VectorXd &image) { image = matrix * v; }, identity, right, 1e-9,
-        20, x);
-    EXPECT_EQ(progress.iterations, 20);
-    EXPECT_GT(progress.residual, 1e-9);
-    EXPECT_NEAR((right - matrix * x).norm() / right.norm(), progress.residual, 1e-12);
-    x.setZero();
-    const auto nowhere = ConjugateResiduals().solve(
-        [](const Eigen::VectorXd &v, Eigen::VectorXd &image) { image = 0 * v; }, identity, right, 1e-9, 20, x);
-    EXPECT_EQ(nowhere.iterations, 0);
-    EXPECT_EQ(nowhere.residual, 1);
-    EXPECT_TRUE(x.isZero(0));
 }
 
 /// A sheet with every effect, on a lattice, with supports of every kind.

@@ -25,8 +25,10 @@ struct Roof {
         const auto &lattice = *net->lattice();
         auto supports = more;
         supports.push_back({.kind = SupportKind::fixed, .nodes = lattice.corners()});
-        supports.push_back({.kind = SupportKind::on_line, .nodes = {lattice.node_at(3, 0)}, .direction = {1, 0, 0.2}});
-        supports.push_back({.kind = SupportKind::fixed, .nodes = {lattice.node_at(7, 11)}, .stiffness = spring});
+        supports.push_back(
+            {.kind = SupportKind::on_line, .nodes = {lattice.node_at(3, 0)}, .direction = {1, 0, 0.2}});
+        supports.push_back(
+            {.kind = SupportKind::fixed, .nodes = {lattice.node_at(7, 11)}, .stiffness = spring});
         return std::make_shared<const Scene>(
             net, supports,
             std::vector<EffectDescription>{
