@@ -17,6 +17,8 @@ constexpr Index least_nodes = 60;
 // The error that a coarse net has of itself is larger than what this leaves.
 constexpr double residual_of_stage = 1e-2;
 constexpr int most_steps_of_stage = 200;
+// A shape that was close would have led to rest by then.
+constexpr int most_steps_from_coarse_shape = 60;
 constexpr double most_growth = 100; // in the scene's own units, in which the net has a size of about one
 
 PointLoad at_nodes(std::vector<Index> nodes, const Vector3 &force) {
@@ -85,7 +87,7 @@ CoarseToFine::Stage::Stage(std::shared_ptr<const Scene> scene, const Points &met
 
 CoarseToFine::CoarseToFine(const Equilibrium &equilibrium, CoarserLevels levels)
     : levels_(std::move(levels)), scenes_(coarser_scenes(equilibrium.scene(), levels_)),
-      level_(scenes_.size()), newton_(equilibrium, levels_) {}
+      level_(scenes_.size()), newton_(std::in_place, equilibrium, levels_) {}
 
 Points CoarseToFine::metres_on_level(std::size_t level, const Points &fine) const {
     Points nodes = fine;
@@ -101,7 +103,7 @@ Points CoarseToFine::metres_on_level(std::size_t level, const Points &fine) cons
 
 double CoarseToFine::position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) {
     if (level_ == 0)
-        return newton_.position_error(x, equilibrium, goal);
+        return newton_->position_error(x, equilibrium, goal);
     return std::numeric_limits<double>::infinity();
 }
 
@@ -119,8 +121,17 @@ void CoarseToFine::enter_stage(const Points &metres) {
 }
 
 Iteration::Move CoarseToFine::move(Points &x, Equilibrium &equilibrium) {
-    if (level_ == 0)
-        return newton_.move(x, equilibrium);
+    if (level_ == 0) {
+        if (++steps_ == most_steps_from_coarse_shape && start_.size() > 0) {
+            x = start_;
+            equilibrium.evaluate(x);
+            newton_.emplace(equilibrium);
+            return Move::made;
+        }
+        return newton_->move(x, equilibrium);
+    }
+    if (start_.size() == 0)
+        start_ = x;
     const Scale &scale = equilibrium.scene().scale();
     if (!stage_)
         enter_stage(metres_on_level(level_ - 1, scale.to_metres(x)));

@@ -6,6 +6,7 @@
 #include "newton.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace funicular {
@@ -22,7 +23,7 @@ public:
     [[nodiscard]] double position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) override;
     /// Moves a coarser net until all have come to rest, and the scene's own from there.
     Move move(Points &x, Equilibrium &equilibrium) override;
-    [[nodiscard]] bool restart() override { return level_ == 0 && newton_.restart(); }
+    [[nodiscard]] bool restart() override { return level_ == 0 && newton_->restart(); }
 
 private:
     /// A coarser net on its way to equilibrium.
@@ -44,7 +45,10 @@ private:
     /// Coarser nets that are still to be solved.
     std::size_t level_ = 0;
     std::unique_ptr<Stage> stage_;
-    Newton newton_;
+    std::optional<Newton> newton_;
+    /// To go back to if what coarser nets led to comes to nothing.
+    Points start_;
+    int steps_ = 0;
 };
 
 } // namespace funicular

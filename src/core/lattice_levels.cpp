@@ -4,13 +4,16 @@
 #include "effects/axial.hpp"
 #include "errors.hpp"
 
-#include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace funicular {
 
 namespace {
+
+// The coarsest net is factorised as a dense matrix.
+constexpr Index most_nodes_of_coarsest = 400;
 
 /// Null if two neighbours of the coarse lattice coincide in space.
 std::shared_ptr<const Net> thinned(const Net &fine, const Coarsening &coarsening) {
@@ -25,19 +28,28 @@ std::shared_ptr<const Net> thinned(const Net &fine, const Coarsening &coarsening
     }
 }
 
+/// Supports of the same kind on the same coarse node become one, so that they do not multiply from net to
+/// net.
 std::vector<Support> passed_on(const std::vector<Support> &supports, const Coarsening &coarsening) {
-    std::vector<Support> passed;
+    using Sense = std::tuple<SupportKind, double, double, double>;
+    std::map<Sense, std::map<Index, double>> stiffness;
     for (const Support &support : supports) {
+        auto &nodes =
+            stiffness[{support.kind, support.direction.x(), support.direction.y(), support.direction.z()}];
         // A rigid support stays one however small a part of it a node has.
-        std::map<double, std::vector<Index>> nodes_by_part;
         for (const Index node : support.nodes)
             for (const auto &parent : coarsening.parents(node))
-                nodes_by_part[std::isinf(support.stiffness) ? 1.0 : parent.part].push_back(parent.node);
-        for (auto &[part, nodes] : nodes_by_part) {
-            passed.push_back(support);
-            passed.back().stiffness *= part;
-            passed.back().nodes = std::move(nodes);
-        }
+                nodes[parent.node] += support.stiffness * parent.part;
+    }
+    std::vector<Support> passed;
+    for (const auto &[sense, nodes] : stiffness) {
+        const auto &[kind, x, y, z] = sense;
+        std::map<double, std::vector<Index>> alike;
+        for (const auto &[node, sum] : nodes)
+            alike[sum].push_back(node);
+        for (auto &[sum, of] : alike)
+            passed.push_back(
+                {.kind = kind, .nodes = std::move(of), .direction = Vector3(x, y, z), .stiffness = sum});
     }
     return passed;
 }
@@ -80,6 +92,8 @@ CoarserLevels coarser_levels(const Scene &scene) {
                           .supports = supports,
                           .lines = lines});
     }
+    if (!levels.empty() && levels.back().net->node_count() > most_nodes_of_coarsest)
+        levels.clear();
     return CoarserLevels(std::make_shared<const std::vector<LatticeLevel>>(std::move(levels)));
 }
 

@@ -16,14 +16,15 @@ struct Transfer {
 } // namespace
 
 struct Multigrid::Level {
-    Level(std::shared_ptr<const Net> of, Freedoms its_freedoms, std::vector<ElasticSupport> springs)
-        : net(std::move(of)), freedoms(std::move(its_freedoms)), elastic_supports(std::move(springs)),
+    Level(std::shared_ptr<const Net> of, std::vector<Support> held_by)
+        : net(std::move(of)), supports(std::move(held_by)), freedoms(*net, supports),
           along_u(*net->lattice(), net->members(), LineSmoother::Direction::u),
           along_v(*net->lattice(), net->members(), LineSmoother::Direction::v),
           short_tangents(net->member_count()), forces(net->node_count()), motion(net->node_count()),
           left(net->node_count()) {}
 
     std::shared_ptr<const Net> net;
+    std::vector<Support> supports;
     Freedoms freedoms;
     std::vector<ElasticSupport> elastic_supports;
     /// Makes the tangents of this coarser net's members from those of the finer one: of two in a row as of
@@ -49,8 +50,7 @@ struct Multigrid::Level {
 Multigrid::~Multigrid() = default;
 
 Multigrid::Multigrid(const Scene &scene, const CoarserLevels &levels) {
-    levels_.push_back(
-        std::make_unique<Level>(scene.shared_net(), scene.freedoms(), scene.elastic_supports()));
+    levels_.push_back(std::make_unique<Level>(scene.shared_net(), scene.supports()));
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const LatticeLevel &coarse = levels[k];
         Level &fine = *levels_.back();
@@ -59,9 +59,7 @@ Multigrid::Multigrid(const Scene &scene, const CoarserLevels &levels) {
                 fine.transfers.push_back({parent, static_cast<Real>(part)});
             fine.transfers_of.push_back(static_cast<Index>(fine.transfers.size()));
         }
-        levels_.push_back(
-            std::make_unique<Level>(coarse.net, Freedoms(*coarse.net, coarse.supports),
-                                    elastic_supports_of(*coarse.net, coarse.supports, scene.scale())));
+        levels_.push_back(std::make_unique<Level>(coarse.net, coarse.supports));
         Level &level = *levels_.back();
         level.fine_nodes = coarse.coarsening.fine_nodes();
         level.strands = coarse.coarsening.strands();
@@ -70,6 +68,13 @@ Multigrid::Multigrid(const Scene &scene, const CoarserLevels &levels) {
 }
 
 bool Multigrid::prepare(const Points &x, const Equilibrium &equilibrium, double floor) {
+    // The scene may be another one than that it was made for, on the same net and supports but in other
+    // units.
+    const Scene &scene = equilibrium.scene();
+    levels_.front()->elastic_supports = scene.elastic_supports();
+    for (std::size_t k = 1; k < levels_.size(); ++k)
+        levels_[k]->elastic_supports =
+            elastic_supports_of(*levels_[k]->net, levels_[k]->supports, scene.scale());
     bool is_definite = prepare(*levels_.front(), equilibrium.member_tangents(), floor);
     const Points *finer = &x;
     const auto *tangents = &equilibrium.member_tangents();
