@@ -269,9 +269,10 @@ TEST(Certificate, AStiffElasticSupportIsExcusedItsRounding) {
             std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, 1e5)},
                                            MemberWeight{1}});
         const auto result = solved(scene);
-        if (result.status == Status::converged)
+        if (result.status == Status::converged) {
             EXPECT_TRUE(certificate_of(scene, result).in_equilibrium)
                 << stiffness << ": " << certificate_of(scene, result).summary();
+        }
     }
 }
 
