@@ -2,7 +2,6 @@
 #include "equilibrium.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -31,14 +30,6 @@ Equilibrium::Equilibrium(std::shared_ptr<const Scene> scene)
         nodal_stiffness_[support.node] += support.stiffness.trace();
 }
 
-template <class Work>
-void Equilibrium::timed(std::size_t effect, const Work &work) {
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    ++costs_[effect].evaluations;
-    costs_[effect].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 void Equilibrium::evaluate(const Points &x) {
     loads_.setZero();
     const auto &acting = scene_->acting();
@@ -49,10 +40,14 @@ void Equilibrium::evaluate(const Points &x) {
     for (std::size_t k = 0; k < acting.size(); ++k)
         if (!acting[k]->is_load())
             timed(k, [&] { acting[k]->add_forces(x, forces_); });
-    for (const auto &support : scene_->elastic_supports())
-        forces_.row(support.node) -=
-            (support.stiffness * (x.row(support.node).transpose() - support.anchor)).transpose();
+    add_elastic_supports(x, forces_);
     measure_residual(x);
+}
+
+void Equilibrium::add_elastic_supports(const Points &x, Points &forces) const {
+    for (const auto &support : scene_->elastic_supports())
+        forces.row(support.node) -=
+            (support.stiffness * (x.row(support.node).transpose() - support.anchor)).transpose();
 }
 
 void Equilibrium::measure_residual(const Points &x) {
@@ -142,7 +137,7 @@ void Equilibrium::linearise_loads(const Points &x) {
             timed(k, [&] { are_gradients_kept_[k] = acting[k]->keep_gradients(x, load_gradients_); });
 }
 
-void Equilibrium::tangent_product(const Points &x, const Points &motion, Points &product) {
+void Equilibrium::member_product(const Points &motion, Points &product) const {
     product.setZero(motion.rows(), 3);
     const auto &members = scene_->net().members();
     for (std::size_t e = 0; e < members.size(); ++e) {
@@ -153,6 +148,10 @@ void Equilibrium::tangent_product(const Points &x, const Points &motion, Points 
     }
     for (const auto &support : scene_->elastic_supports())
         product.row(support.node) += (support.stiffness * motion.row(support.node).transpose()).transpose();
+}
+
+void Equilibrium::tangent_product(const Points &x, const Points &motion, Points &product) {
+    member_product(motion, product);
     const auto &acting = scene_->acting();
     for (std::size_t k = 0; k < acting.size(); ++k)
         if (acting[k]->is_load() && !are_gradients_kept_[k])

@@ -5,6 +5,7 @@
 #include "effects/axial.hpp"
 #include "scene.hpp"
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <string>
@@ -46,6 +47,8 @@ public:
     /// Whether the residual is rounding at every node where it exceeds the tolerance, be that excusable or
     /// not.
     [[nodiscard]] bool is_hidden_by_rounding(double tolerance) const { return beyond_rounding_ <= tolerance; }
+    /// Adds what elastic supports push back with at x.
+    void add_elastic_supports(const Points &x, Points &forces) const;
     /// Sum of k_e over the members at each node, with its supports that yield.
     [[nodiscard]] const Eigen::VectorXd &nodal_stiffness() const { return nodal_stiffness_; }
 
@@ -60,11 +63,21 @@ public:
     void member_tangent(const Points &x, AxialForces::Regularisation regularisation, BlockMatrix &tangent);
     /// Keeps the members' part of the tangent at x for the products to come.
     void linearise(const Points &x, AxialForces::Regularisation regularisation);
+    /// The same with other tangents in their place, which `fill` is given to set, one for each member.
+    template <class Fill>
+    void linearise_as(const Fill &fill) {
+        timed(0, [&] {
+            member_tangents_.resize(scene_->net().member_count());
+            fill(member_tangents_);
+        });
+    }
     /// Keeps the loads' part, where that is worth its memory.
     void linearise_loads(const Points &x);
     /// The tangent at x times a motion of the nodes, in the sense of `tangent`.
     /// \pre linearise and linearise_loads were called at x
     void tangent_product(const Points &x, const Points &motion, Points &product);
+    /// The same of members and elastic supports alone, for which linearise is enough.
+    void member_product(const Points &motion, Points &product) const;
     /// The members' part that was kept.
     [[nodiscard]] const std::vector<AxialForces::MemberTangent> &member_tangents() const {
         return member_tangents_;
@@ -77,7 +90,13 @@ public:
 
 private:
     template <class Work>
-    void timed(std::size_t effect, const Work &work);
+    void timed(std::size_t effect, const Work &work) {
+        const auto begin = std::chrono::steady_clock::now();
+        work();
+        ++costs_[effect].evaluations;
+        costs_[effect].seconds +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
     void measure_residual(const Points &x);
 
     std::shared_ptr<const Scene> scene_;

@@ -3,6 +3,7 @@
 
 #include "coarse_start.hpp"
 #include "errors.hpp"
+#include "interior_point.hpp"
 #include "messages.hpp"
 #include "newton.hpp"
 #include "relaxation.hpp"
@@ -104,6 +105,10 @@ void Solver::begin(const Points &local_start, bool is_cold) {
     if (is_cold && !levels_.empty()) {
         method_ = Method::newton;
         iteration_ = std::make_unique<CoarseToFine>(*equilibrium_, levels_);
+    } else if (options_.method == Method::automatic && InteriorPoint::is_for(*equilibrium_)) {
+        method_ = Method::newton;
+        if (!iteration_ || !iteration_->restart())
+            iteration_ = std::make_unique<InteriorPoint>(*equilibrium_, coarser_levels(*scene_));
     } else if (!iteration_ || !iteration_->restart())
         use(options_.method == Method::relaxation ? Method::relaxation : Method::newton);
     publish();

@@ -65,6 +65,8 @@ public:
     void tensions(const Points &x, Eigen::VectorXd &tensions) const;
     /// k of each member.
     [[nodiscard]] const Eigen::VectorXd &stiffness() const { return stiffness_; }
+    /// r of each member.
+    [[nodiscard]] const Eigen::VectorXd &rest_lengths() const { return rest_lengths_; }
     [[nodiscard]] bool is_compression_only() const { return compression_only_; }
 
 private:

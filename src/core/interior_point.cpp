@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "interior_point.hpp"
+
+#include "multigrid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace funicular {
+
+namespace {
+
+// Far above what members will carry in the end, and close to taut: from there the path is short.
+constexpr double first_density = 30;
+constexpr double first_slack = 0.01;
+// A shape that is nearly one of equilibrium is taken as a place on the path, about here.
+constexpr double residual_on_path = 0.5;
+constexpr double first_parameter_on_path = 1e-4;
+
+// Of the way to where the first slack or force density vanishes; more of it near the end of the path.
+constexpr double least_part_of_way = 0.9;
+constexpr double most_part_of_way = 0.999;
+// The slack that a shape has is taken at its word, unless it would be less than this part of what it was.
+constexpr double least_kept_slack = 0.5;
+// Members may stretch to ten times their length.
+constexpr double most_of_stiffness = 0.9;
+
+// Near the end the change of loads along a step counts.
+constexpr double residual_near_end = 1;
+// How exactly multigrid solves for a step; at worst.
+constexpr double accuracy_of_step = 1e-3;
+constexpr double least_accuracy = 0.05;
+constexpr int most_iterations = 30;
+
+constexpr int most_steps = 100;
+constexpr double least_length = 1e-6;
+constexpr double most_growth = 100; // in the scene's own units, in which the net has a size of about one
+// A shape as near as this is a better one to go on from than the start.
+constexpr double residual_to_keep = 1e-2;
+
+/// Whether the change of the loads along a step counts.
+bool is_near_end(const Equilibrium &equilibrium) {
+    return equilibrium.relative_residual() < residual_near_end;
+}
+
+/// How far values can go along their change before the first of them vanishes.
+double length_to_boundary(const Eigen::VectorXd &values, const Eigen::VectorXd &changes) {
+    double length = std::numeric_limits<double>::infinity();
+    for (Eigen::Index e = 0; e < values.size(); ++e)
+        if (changes[e] < 0)
+            length = std::min(length, -values[e] / changes[e]);
+    return length;
+}
+
+} // namespace
+
+bool InteriorPoint::is_for(const Equilibrium &equilibrium) {
+    return calls_for_exact_steps(equilibrium) && !equilibrium.loads().isZero(0) &&
+           equilibrium.scene().axial().rest_lengths().minCoeff() > 0;
+}
+
+InteriorPoint::InteriorPoint(const Equilibrium &equilibrium, const CoarserLevels &levels)
+    : is_factor_(levels.empty()) {
+    if (is_factor_)
+        preconditioner_ = std::make_unique<KeptFactor>(equilibrium);
+    else
+        preconditioner_ = std::make_unique<Multigrid>(equilibrium.scene(), levels);
+}
+
+void InteriorPoint::begin(const Points &x, const Equilibrium &equilibrium) {
+    const Scene &scene = equilibrium.scene();
+    const AxialForces &axial = scene.axial();
+    const auto &rest = axial.rest_lengths();
+    const auto member_count = static_cast<double>(rest.size());
+    const double whole_load = equilibrium.mean_nodal_load() * scene.net().node_count();
+    const double size = scene.net().size() / scene.scale().length;
+    typical_density_ = whole_load / size / std::sqrt(member_count);
+    typical_product_ = typical_density_ * rest.squaredNorm() / member_count;
+    const Eigen::VectorXd most = 0.5 * most_of_stiffness * axial.stiffness();
+    if (equilibrium.relative_residual() > residual_on_path) {
+        densities_ = most.cwiseMin(first_density * typical_density_);
+        slacks_ = first_slack * rest.array().square();
+    } else {
+        const double parameter = first_parameter_on_path * typical_product_;
+        Eigen::VectorXd tensions;
+        axial.tensions(x, tensions);
+        densities_.resize(rest.size());
+        slacks_.resize(rest.size());
+        for (Index e = 0; e < rest.size(); ++e) {
+            const auto [i, j] = scene.net().members()[e];
+            const double square = (x.row(j) - x.row(i)).squaredNorm();
+            const double slack = 0.5 * (rest[e] * rest[e] - square);
+            densities_[e] = tensions[e] > 0 ? tensions[e] / std::sqrt(square) : 0;
+            densities_[e] = std::min(
+                std::max(densities_[e], parameter / std::max(slack, first_slack * rest[e] * rest[e])),
+                most[e]);
+            slacks_[e] = std::max(slack, parameter / densities_[e]);
+        }
+    }
+    start_ = x;
+    steps_ = 0;
+    has_begun_ = true;
+}
+
+bool InteriorPoint::restart() {
+    newton_.reset();
+    last_motion_.reset();
+    has_begun_ = false;
+    return true;
+}
+
+double InteriorPoint::position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) {
+    if (newton_)
+        return newton_->position_error(x, equilibrium, goal);
+    goal_ = goal;
+    if (last_motion_)
+        return *last_motion_;
+    if (!has_begun_)
+        begin(x, equilibrium);
+    linearise(x, equilibrium);
+    products_.setZero(densities_.size());
+    unknowns_.setZero(equilibrium.scene().freedoms().size());
+    has_step_ = prepare(x, equilibrium) && compute_step(x, equilibrium);
+    return has_step_ && leads_to_end() ? largest_motion() : std::numeric_limits<double>::infinity();
+}
+
+Iteration::Move InteriorPoint::move(Points &x, Equilibrium &equilibrium) {
+    if (newton_)
+        return newton_->move(x, equilibrium);
+    if (last_motion_) { // what was asked for then is not enough
+        last_motion_.reset();
+        has_begun_ = false;
+        return Move::made;
+    }
+    if (++steps_ > most_steps || !follow_path(x, equilibrium)) {
+        if (!(equilibrium.relative_residual() <= residual_to_keep)) {
+            // Without an equilibrium there is no path to it; Newton's method says so.
+            x = start_;
+            equilibrium.evaluate(x);
+        }
+        newton_.emplace(equilibrium);
+    }
+    return Move::made;
+}
+
+void InteriorPoint::linearise(const Points &x, Equilibrium &equilibrium) {
+    const Scene &scene = equilibrium.scene();
+    const auto &members = scene.net().members();
+    const auto &stiffness = scene.axial().stiffness();
+    const auto &rest = scene.axial().rest_lengths();
+    unbalanced_ = equilibrium.loads();
+    equilibrium.add_elastic_supports(x, unbalanced_);
+    spans_.resize(members.size());
+    gaps_.resize(densities_.size());
+    compliances_.resize(densities_.size());
+    equilibrium.linearise_as([&](std::vector<AxialForces::MemberTangent> &tangents) {
+        for (Index e = 0; e < densities_.size(); ++e) {
+            const auto [i, j] = members[e];
+            const Vector3 span = (x.row(j) - x.row(i)).transpose();
+            const double density = densities_[e];
+            const double stretch = 1 / (1 - density / stiffness[e]);
+            const double when_taut = 0.5 * std::pow(rest[e] * stretch, 2); // l² / 2
+            const double square = span.squaredNorm();
+            double &slack = slacks_[e];
+            if (const double present = when_taut - 0.5 * square; present > least_kept_slack * slack)
+                slack = present;
+            spans_[e] = span;
+            gaps_[e] = 0.5 * square + slack - when_taut;
+            compliances_[e] = 2 * when_taut * stretch / stiffness[e] + slack / density;
+            const double length = std::sqrt(square);
+            tangents[e] = {.direction = length > 0 ? Vector3(span / length) : Vector3::Zero(),
+                           .along = square / compliances_[e],
+                           .around = density};
+            unbalanced_.row(i) += density * span.transpose();
+            unbalanced_.row(j) -= density * span.transpose();
+        }
+    });
+    if (is_near_end(equilibrium))
+        equilibrium.linearise_loads(x);
+}
+
+bool InteriorPoint::prepare(const Points &x, const Equilibrium &equilibrium) {
+    return preconditioner_->prepare(x, equilibrium, typical_density_);
+}
+
+/// Solves K u = right_, K the stiffness of the present step, beginning with the u that is there: the step to
+/// the end of the path says much of the one that is taken.
+bool InteriorPoint::solve(const Points &x, Equilibrium &equilibrium) {
+    if (is_factor_ && !is_near_end(equilibrium)) {
+        preconditioner_->apply(right_, unknowns_);
+        return unknowns_.allFinite();
+    }
+    const Freedoms &freedoms = equilibrium.scene().freedoms();
+    motion_.resize(x.rows(), 3);
+    const LinearProgress progress = conjugate_residuals_.solve(
+        [&](const Eigen::VectorXd &unknowns, Eigen::VectorXd &image) {
+            freedoms.expand(unknowns, motion_);
+            if (is_near_end(equilibrium))
+                equilibrium.tangent_product(x, motion_, product_);
+            else
+                equilibrium.member_product(motion_, product_);
+            freedoms.reduce(product_, image);
+        },
+        [&](const Eigen::VectorXd &unbalanced, Eigen::VectorXd &motion) {
+            preconditioner_->apply(unbalanced, motion);
+        },
+        right_, accuracy_of_step, most_iterations, unknowns_);
+    if (is_factor_ || progress.residual <= least_accuracy)
+        return unknowns_.allFinite();
+    // Slack and taut members have become too different for coarser nets to tell of them.
+    preconditioner_ = std::make_unique<KeptFactor>(equilibrium);
+    is_factor_ = true;
+    return prepare(x, equilibrium) && solve(x, equilibrium);
+}
+
+bool InteriorPoint::compute_step(const Points &x, Equilibrium &equilibrium) {
+    const Scene &scene = equilibrium.scene();
+    const auto &members = scene.net().members();
+    step_.densities =
+        (gaps_.array() + products_.array() / densities_.array() - slacks_.array()) / compliances_.array();
+    forces_ = unbalanced_;
+    for (Index e = 0; e < densities_.size(); ++e) {
+        const auto [i, j] = members[e];
+        const Vector3 force = step_.densities[e] * spans_[e];
+        forces_.row(i) += force.transpose();
+        forces_.row(j) -= force.transpose();
+    }
+    scene.freedoms().reduce(forces_, right_);
+    if (!solve(x, equilibrium))
+        return false;
+    step_.motion.resize(forces_.rows(), 3);
+    scene.freedoms().expand(unknowns_, step_.motion);
+    for (Index e = 0; e < densities_.size(); ++e) {
+        const auto [i, j] = members[e];
+        const Vector3 stretch = (step_.motion.row(j) - step_.motion.row(i)).transpose();
+        step_.densities[e] += spans_[e].dot(stretch) / compliances_[e];
+    }
+    step_.slacks = (products_.array() - slacks_.array() * step_.densities.array()) / densities_.array() -
+                   slacks_.array();
+    const Eigen::VectorXd room = most_of_stiffness * scene.axial().stiffness() - densities_;
+    step_.density_length = std::min(
+        {1.0, length_to_boundary(densities_, step_.densities), length_to_boundary(room, -step_.densities)});
+    step_.slack_length = std::min(1.0, length_to_boundary(slacks_, step_.slacks));
+    return step_.densities.allFinite();
+}
+
+double InteriorPoint::parameter_after(double density_length, double slack_length) const {
+    return (densities_ + density_length * step_.densities).dot(slacks_ + slack_length * step_.slacks) /
+           static_cast<double>(densities_.size());
+}
+
+/// Goes all the way if that is near enough.
+bool InteriorPoint::jump_to_end(Points &x, Equilibrium &equilibrium) {
+    if (!leads_to_end() || largest_motion() > goal_.accuracy)
+        return false;
+    const Points present = x;
+    x += step_.motion;
+    equilibrium.evaluate(x);
+    if (equilibrium.significant_residual() <= goal_.tolerance) {
+        // What is left is less than this.
+        last_motion_ = largest_motion();
+        return true;
+    }
+    x = present;
+    equilibrium.evaluate(x);
+    return false;
+}
+
+/// \pre step_ leads to the end of the path
+bool InteriorPoint::follow_path(Points &x, Equilibrium &equilibrium) {
+    if (!has_step_)
+        return false;
+    if (jump_to_end(x, equilibrium))
+        return true;
+    // How much of the step to the end of the path can be taken tells how far to aim; what it would make of
+    // q s, how the path bends.
+    const double present = parameter_after(0, 0);
+    const double aim =
+        std::pow(parameter_after(step_.density_length, step_.slack_length) / present, 3) * present;
+    products_ =
+        aim - step_.density_length * step_.slack_length * (step_.densities.array() * step_.slacks.array());
+    if (!compute_step(x, equilibrium) || std::max(step_.slack_length, step_.density_length) < least_length)
+        return false;
+    const double part = std::clamp(1 - present / typical_product_, least_part_of_way, most_part_of_way);
+    x += part * step_.slack_length * step_.motion;
+    slacks_ += part * step_.slack_length * step_.slacks;
+    densities_ += part * step_.density_length * step_.densities;
+    equilibrium.evaluate(x);
+    return x.cwiseAbs().maxCoeff() < most_growth;
+}
+
+} // namespace funicular
