@@ -14,9 +14,10 @@ namespace {
 // Far above what members will carry in the end, and close to taut: from there the path is short.
 constexpr double first_density = 30;
 constexpr double first_slack = 0.01;
-// A shape that is nearly one of equilibrium is taken as a place on the path, about here.
-constexpr double residual_on_path = 0.5;
-constexpr double first_parameter_on_path = 1e-4;
+// A shape as near as this has most of its slack members right: that is what Newton's method needs, and it is
+// left when it does not arrive in so many steps.
+constexpr double residual_for_newton = 0.5;
+constexpr int most_newton_steps = 15;
 
 // Of the way to where the first slack or force density vanishes; more of it near the end of the path.
 constexpr double least_part_of_way = 0.9;
@@ -68,7 +69,7 @@ InteriorPoint::InteriorPoint(const Equilibrium &equilibrium, const CoarserLevels
         preconditioner_ = std::make_unique<Multigrid>(equilibrium.scene(), levels);
 }
 
-void InteriorPoint::begin(const Points &x, const Equilibrium &equilibrium) {
+void InteriorPoint::begin_path(const Points &x, const Equilibrium &equilibrium) {
     const Scene &scene = equilibrium.scene();
     const AxialForces &axial = scene.axial();
     const auto &rest = axial.rest_lengths();
@@ -77,47 +78,41 @@ void InteriorPoint::begin(const Points &x, const Equilibrium &equilibrium) {
     const double size = scene.net().size() / scene.scale().length;
     typical_density_ = whole_load / size / std::sqrt(member_count);
     typical_product_ = typical_density_ * rest.squaredNorm() / member_count;
-    const Eigen::VectorXd most = 0.5 * most_of_stiffness * axial.stiffness();
-    if (equilibrium.relative_residual() > residual_on_path) {
-        densities_ = most.cwiseMin(first_density * typical_density_);
-        slacks_ = first_slack * rest.array().square();
-    } else {
-        const double parameter = first_parameter_on_path * typical_product_;
-        Eigen::VectorXd tensions;
-        axial.tensions(x, tensions);
-        densities_.resize(rest.size());
-        slacks_.resize(rest.size());
-        for (Index e = 0; e < rest.size(); ++e) {
-            const auto [i, j] = scene.net().members()[e];
-            const double square = (x.row(j) - x.row(i)).squaredNorm();
-            const double slack = 0.5 * (rest[e] * rest[e] - square);
-            densities_[e] = tensions[e] > 0 ? tensions[e] / std::sqrt(square) : 0;
-            densities_[e] = std::min(
-                std::max(densities_[e], parameter / std::max(slack, first_slack * rest[e] * rest[e])),
-                most[e]);
-            slacks_[e] = std::max(slack, parameter / densities_[e]);
-        }
-    }
+    densities_ = (0.5 * most_of_stiffness * axial.stiffness()).cwiseMin(first_density * typical_density_);
+    slacks_ = first_slack * rest.array().square();
     start_ = x;
     steps_ = 0;
-    has_begun_ = true;
+    last_motion_.reset();
+    phase_ = Phase::path;
+}
+
+void InteriorPoint::use_newton(Phase phase, const Equilibrium &equilibrium) {
+    phase_ = phase;
+    steps_ = 0;
+    if (!newton_ || !newton_->restart())
+        newton_.emplace(equilibrium);
 }
 
 bool InteriorPoint::restart() {
-    newton_.reset();
-    last_motion_.reset();
-    has_begun_ = false;
+    phase_ = Phase::begun;
     return true;
 }
 
 double InteriorPoint::position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) {
-    if (newton_)
+    if (phase_ == Phase::begun) {
+        if (equilibrium.relative_residual() <= residual_for_newton)
+            use_newton(Phase::newton, equilibrium);
+        else
+            begin_path(x, equilibrium);
+    } else if (phase_ == Phase::newton && steps_ >= most_newton_steps) {
+        begin_path(x, equilibrium);
+    }
+    if (phase_ != Phase::path)
         return newton_->position_error(x, equilibrium, goal);
+
     goal_ = goal;
     if (last_motion_)
         return *last_motion_;
-    if (!has_begun_)
-        begin(x, equilibrium);
     linearise(x, equilibrium);
     products_.setZero(densities_.size());
     unknowns_.setZero(equilibrium.scene().freedoms().size());
@@ -126,21 +121,22 @@ double InteriorPoint::position_error(const Points &x, Equilibrium &equilibrium, 
 }
 
 Iteration::Move InteriorPoint::move(Points &x, Equilibrium &equilibrium) {
-    if (newton_)
+    ++steps_;
+    if (phase_ == Phase::newton_at_last)
         return newton_->move(x, equilibrium);
-    if (last_motion_) { // what was asked for then is not enough
-        last_motion_.reset();
-        has_begun_ = false;
+    if (phase_ == Phase::newton) {
+        if (newton_->move(x, equilibrium) == Move::impossible)
+            begin_path(x, equilibrium);
         return Move::made;
     }
-    if (++steps_ > most_steps || !follow_path(x, equilibrium)) {
-        if (!(equilibrium.relative_residual() <= residual_to_keep)) {
-            // Without an equilibrium there is no path to it; Newton's method says so.
-            x = start_;
-            equilibrium.evaluate(x);
-        }
-        newton_.emplace(equilibrium);
+    if (steps_ <= most_steps && follow_path(x, equilibrium))
+        return Move::made;
+    if (!(equilibrium.relative_residual() <= residual_to_keep)) {
+        // Without an equilibrium there is no path to it; Newton's method says so.
+        x = start_;
+        equilibrium.evaluate(x);
     }
+    use_newton(Phase::newton_at_last, equilibrium);
     return Move::made;
 }
 

@@ -36,16 +36,18 @@ public:
     /// \param levels coarser nets of the scene's, for multigrid; a factorisation where there are none
     InteriorPoint(const Equilibrium &equilibrium, const CoarserLevels &levels);
 
-    /// The largest node's motion in the step to the end of the path; infinite while that leads too far.
+    /// On the path, the largest node's motion in the step to its end; infinite while that leads too far.
     [[nodiscard]] double position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) override;
-    /// A step along the path; where there is none, one of Newton's method from the start.
+    /// A step along the path. Newton's method makes the steps from a shape that is near, and where there is
+    /// no path.
     Move move(Points &x, Equilibrium &equilibrium) override;
-    /// Keeps what is known of the factor's structure.
+    /// Keeps the structure of factors.
     [[nodiscard]] bool restart() override;
 
 private:
     /// If so much of a step to the end of the path can be taken, it tells how far that is.
     static constexpr double length_near_end = 0.9;
+    enum class Phase { begun, newton, path, newton_at_last };
     struct Step {
         Points motion;
         Eigen::VectorXd densities, slacks;
@@ -53,7 +55,8 @@ private:
         double slack_length = 0, density_length = 0;
     };
 
-    void begin(const Points &x, const Equilibrium &equilibrium);
+    void use_newton(Phase phase, const Equilibrium &equilibrium);
+    void begin_path(const Points &x, const Equilibrium &equilibrium);
     void linearise(const Points &x, Equilibrium &equilibrium);
     bool prepare(const Points &x, const Equilibrium &equilibrium);
     /// Solves for the step after which q s would be `products_`.
@@ -71,10 +74,9 @@ private:
     std::unique_ptr<Preconditioner> preconditioner_;
     bool is_factor_;
     ConjugateResiduals conjugate_residuals_;
-    /// Once the path has come to nothing.
     std::optional<Newton> newton_;
     Points start_;
-    bool has_begun_ = false;
+    Phase phase_ = Phase::begun;
     bool has_step_ = false;
     /// When all of a step to the end of the path was taken.
     std::optional<double> last_motion_;
