@@ -31,8 +31,8 @@ constexpr double most_of_stiffness = 0.9;
 constexpr double residual_near_end = 1;
 // How exactly multigrid solves for a step; at worst.
 constexpr double accuracy_of_step = 1e-3;
-constexpr double least_accuracy = 0.05;
-constexpr int most_iterations = 30;
+constexpr double least_accuracy = 0.1;
+constexpr int most_iterations = 60;
 
 constexpr int most_steps = 100;
 constexpr double least_length = 1e-6;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -30,7 +31,8 @@ public:
                          double tolerance, int most_iterations, Eigen::VectorXd &x);
 
 private:
-    // Beyond so many directions the iteration begins anew: they fill the memory, and seldom help.
+    // The oldest beyond so many are given up: they fill the memory, and those of a nearly symmetric matrix
+    // hardly count.
     static constexpr std::size_t most_directions = 16;
     std::vector<Eigen::VectorXd> directions_, images_;
     Eigen::VectorXd residual_, image_;
@@ -50,17 +52,18 @@ LinearProgress ConjugateResiduals::solve(const Multiply &multiply, const Precond
     progress.residual = whole > 0 ? residual_.norm() / whole : 0;
     std::size_t kept = 0;
     while (progress.residual > tolerance && progress.iterations < most_iterations) {
-        if (kept == most_directions)
-            kept = 0;
-        if (directions_.size() == kept) {
+        const std::size_t next = progress.iterations % most_directions;
+        if (directions_.size() == next) {
             directions_.emplace_back();
             images_.emplace_back();
         }
-        Eigen::VectorXd &direction = directions_[kept];
-        Eigen::VectorXd &image = images_[kept];
+        Eigen::VectorXd &direction = directions_[next];
+        Eigen::VectorXd &image = images_[next];
         precondition(residual_, direction);
         multiply(direction, image);
         for (std::size_t k = 0; k < kept; ++k) {
+            if (k == next)
+                continue;
             const double part = images_[k].dot(image);
             image -= part * images_[k];
             direction -= part * directions_[k];
@@ -73,7 +76,7 @@ LinearProgress ConjugateResiduals::solve(const Multiply &multiply, const Precond
         const double along = image.dot(residual_);
         x += along * direction;
         residual_ -= along * image;
-        ++kept;
+        kept = std::max(kept, next + 1);
         ++progress.iterations;
         progress.residual = residual_.norm() / whole;
     }
