@@ -21,12 +21,12 @@ namespace {
 
 using funicular::bench::Extent;
 
-/// A BLAS reads how many threads to use before main begins, so that the process starts itself anew.
+/// A BLAS and OpenMP read how many threads to use before main begins, so that the process starts itself anew.
 void run_on_one_thread(char **arguments) {
     if (std::getenv("FUNICULAR_BENCH_ONE_THREAD"))
         return;
-    for (const char *variable :
-         {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "FUNICULAR_BENCH_ONE_THREAD"})
+    for (const char *variable : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT",
+                                 "MKL_NUM_THREADS", "FUNICULAR_BENCH_ONE_THREAD"})
         setenv(variable, "1", 1);
     execv(std::filesystem::read_symlink("/proc/self/exe").c_str(), arguments);
     std::cerr << "core_bench: cannot start itself anew; a BLAS may use several threads\n";

@@ -3,6 +3,13 @@
 
 namespace funicular {
 
+KeptFactor::KeptFactor(const Equilibrium &equilibrium) : blocks_(equilibrium.member_coupling()) {
+    const Scene &scene = equilibrium.scene();
+    for (Index node = 0; node < scene.net().node_count(); ++node)
+        first_unknown_.push_back(scene.freedoms().offset(node));
+    first_unknown_.push_back(scene.freedoms().size());
+}
+
 bool KeptFactor::prepare(const Points & /*x*/, const Equilibrium &equilibrium, double floor) {
     const Scene &scene = equilibrium.scene();
     blocks_.set_zero();
@@ -21,12 +28,7 @@ bool KeptFactor::prepare(const Points & /*x*/, const Equilibrium &equilibrium, d
     blocks_.reduce(scene.freedoms(), tangent_);
     for (Index unknown = 0; unknown < tangent_.rows(); ++unknown)
         tangent_.coeffRef(unknown, unknown) += notional_ground * floor;
-    if (!is_analysed_) {
-        factor_.analyzePattern(tangent_);
-        is_analysed_ = true;
-    }
-    factor_.factorize(tangent_);
-    return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).all();
+    return factor_.factorise(tangent_, first_unknown_);
 }
 
 } // namespace funicular

@@ -3,27 +3,28 @@
 
 #include "block_matrix.hpp"
 #include "preconditioner.hpp"
+#include "sparse_cholesky.hpp"
 
-#include <Eigen/SparseCholesky>
+#include <vector>
 
 namespace funicular {
 
-/// A factorisation (LDLᵀ) of the members' tangent: exact where it was made, and of use for as long as the
-/// shape has not changed much.
+/// A factorisation of the members' tangent: exact where it was made, and of use for as long as the shape has
+/// not changed much.
 class KeptFactor final : public Preconditioner {
 public:
-    explicit KeptFactor(const Equilibrium &equilibrium) : blocks_(equilibrium.member_coupling()) {}
+    explicit KeptFactor(const Equilibrium &equilibrium);
 
     bool prepare(const Points &x, const Equilibrium &equilibrium, double floor) override;
     void apply(const Eigen::VectorXd &residual, Eigen::VectorXd &motion) override {
-        motion = factor_.solve(residual);
+        factor_.solve(residual, motion);
     }
 
 private:
     BlockMatrix blocks_;
-    Eigen::SparseMatrix<double> tangent_;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
-    bool is_analysed_ = false;
+    SparseCholesky::Matrix tangent_;
+    std::vector<Index> first_unknown_;
+    SparseCholesky factor_;
 };
 
 } // namespace funicular

@@ -36,6 +36,7 @@ constexpr int most_cycles = 40;
 // What was prepared where the relative residual was below this is of use to the end, unless so many
 // iterations say otherwise.
 constexpr double residual_to_keep = 0.3;
+constexpr double residual_to_try_kept = 1;
 constexpr int most_with_kept = 15;
 constexpr int most_with_new_factor = 60;
 constexpr int most_to_keep = 8;
@@ -87,7 +88,8 @@ void NewtonDirection::compute(const Points &x, Equilibrium &equilibrium, const G
     }
     if (is_factor_) {
         accuracy = std::min(accuracy, accuracy_of_factor);
-        if (!is_stale_)
+        // Far off, the next step's tangent is another one altogether.
+        if (!is_stale_ && equilibrium.relative_residual() < residual_to_try_kept)
             is_newton_step_ = iterate(x, equilibrium, floor, accuracy, most_with_kept);
         if (!is_newton_step_) {
             const bool is_prepared = prepare_factor(x, equilibrium, floor);
