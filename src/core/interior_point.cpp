@@ -34,6 +34,9 @@ constexpr double accuracy_of_step = 1e-3;
 constexpr double least_accuracy = 0.1;
 constexpr int most_iterations = 60;
 
+// A factor of fewer nodes costs less than the cycles of a step.
+constexpr Index least_nodes_for_multigrid = 5000;
+
 constexpr int most_steps = 100;
 constexpr double least_length = 1e-6;
 constexpr double most_growth = 100; // in the scene's own units, in which the net has a size of about one
@@ -62,7 +65,7 @@ bool InteriorPoint::is_for(const Equilibrium &equilibrium) {
 }
 
 InteriorPoint::InteriorPoint(const Equilibrium &equilibrium, const CoarserLevels &levels)
-    : is_factor_(levels.empty()) {
+    : is_factor_(levels.empty() || equilibrium.scene().net().node_count() < least_nodes_for_multigrid) {
     if (is_factor_)
         preconditioner_ = std::make_unique<KeptFactor>(equilibrium);
     else
