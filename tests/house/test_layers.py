@@ -126,6 +126,10 @@ def test_own_standard_and_eigen_includes_are_allowed():
     assert rules.foreign_includes(text, {"net.hpp": "net.hpp"}.get, False) == []
 
 
+# What is built only where its libraries were found, and they are named nowhere else; the core needs neither.
+OPTIONAL = {"sparse_cholesky_cholmod.cpp": ["includes cholmod.h", "includes omp.h"]}
+
+
 def test_the_core_knows_only_itself_the_standard_library_and_eigen():
     files = list(rules.sources(".cpp", ".hpp", under=rules.CORE))
     faults = []
@@ -133,7 +137,8 @@ def test_the_core_knows_only_itself_the_standard_library_and_eigen():
         resolve = rules.include_resolver(rules.CORE, path)
         in_bindings = path.parent.name == "bindings"
         found = rules.foreign_includes(path.read_text("utf-8"), resolve, in_bindings)
-        faults += [f"{path.relative_to(rules.CORE)} {fault}" for fault in found]
+        name = str(path.relative_to(rules.CORE))
+        faults += [f"{name} {fault}" for fault in found if fault not in OPTIONAL.get(name, [])]
     assert len(files) >= 10
     assert not faults, "\n".join(faults)
 
