@@ -98,6 +98,13 @@ void Solver::begin(const Points &local_start, bool is_cold) {
     load_limit_.reset();
     instability_.reset();
     departures_ = 0;
+    const bool had_path = has_path_;
+    has_path_ = options_.method == Method::automatic && InteriorPoint::is_for(*equilibrium_);
+    if (has_path_ != had_path) {
+        iteration_.reset();
+        if (had_path)
+            levels_ = coarser_levels(*scene_);
+    }
     if (!levels_.empty() && calls_for_exact_steps(*equilibrium_)) {
         levels_ = {};
         iteration_.reset();
@@ -105,7 +112,7 @@ void Solver::begin(const Points &local_start, bool is_cold) {
     if (is_cold && !levels_.empty()) {
         method_ = Method::newton;
         iteration_ = std::make_unique<CoarseToFine>(*equilibrium_, levels_);
-    } else if (options_.method == Method::automatic && InteriorPoint::is_for(*equilibrium_)) {
+    } else if (has_path_) {
         method_ = Method::newton;
         if (!iteration_ || !iteration_->restart())
             iteration_ = std::make_unique<InteriorPoint>(*equilibrium_, coarser_levels(*scene_));

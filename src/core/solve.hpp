@@ -75,6 +75,7 @@ private:
     std::unique_ptr<Equilibrium> equilibrium_;
     std::unique_ptr<Iteration> iteration_;
     Method method_ = Method::newton;
+    bool has_path_ = false; ///< whether the scene is solved along an interior-point path
     Points start_, x_;
     double extent_ = 0; ///< of the start shape, in the scene's own units
     Report report_;

@@ -147,6 +147,25 @@ TEST(InteriorPoint, ReplacedScenesGoOnFromTheShape) {
     EXPECT_LT(distance(warm.nodes, solve(heavier).nodes), 1e-3);
 }
 
+TEST(InteriorPoint, ScenesThatAreNotForItMayFollowAndPrecede) {
+    const auto stiff = roof_of_triangles(9, 1e8);
+    const auto with = [&stiff](const AxialStiffness &stiffness) {
+        return std::make_shared<const Scene>(
+            stiff->shared_net(), stiff->supports(),
+            std::vector<EffectDescription>{stiffness, MemberWeight{25}, CoveringWeight{50}});
+    };
+    AxialStiffness two_way = axial(1e8);
+    two_way.compression_only = false;
+    const auto soft = with(axial(1e5));
+    Solver solver(soft, goal(1e-8));
+    for (const auto &scene : {stiff, with(two_way), stiff, soft}) {
+        solver.replace(scene);
+        solver.advance();
+        expect_certified(scene, solver.result(), 1e-6);
+    }
+    EXPECT_LT(distance(solver.result().nodes, solve(soft, goal(1e-8)).nodes), 1e-6);
+}
+
 TEST(InteriorPoint, ANetThatNothingHoldsUpHasNoEquilibrium) {
     // Its border may slide upwards, and does.
     auto scene = roof_of_triangles(7, 1e8);
