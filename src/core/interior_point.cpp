@@ -190,21 +190,10 @@ bool InteriorPoint::solve(const Points &x, Equilibrium &equilibrium) {
         preconditioner_->apply(right_, unknowns_);
         return unknowns_.allFinite();
     }
-    const Freedoms &freedoms = equilibrium.scene().freedoms();
-    motion_.resize(x.rows(), 3);
-    const LinearProgress progress = conjugate_residuals_.solve(
-        [&](const Eigen::VectorXd &unknowns, Eigen::VectorXd &image) {
-            freedoms.expand(unknowns, motion_);
-            if (is_near_end(equilibrium))
-                equilibrium.tangent_product(x, motion_, product_);
-            else
-                equilibrium.member_product(motion_, product_);
-            freedoms.reduce(product_, image);
-        },
-        [&](const Eigen::VectorXd &unbalanced, Eigen::VectorXd &motion) {
-            preconditioner_->apply(unbalanced, motion);
-        },
-        right_, accuracy_of_step, most_iterations, unknowns_);
+    const auto loads =
+        is_near_end(equilibrium) ? TangentEquations::Loads::following : TangentEquations::Loads::as_they_are;
+    const LinearProgress progress = equations_.solve(x, equilibrium, loads, *preconditioner_, right_,
+                                                     accuracy_of_step, most_iterations, unknowns_);
     if (is_factor_ || progress.residual <= least_accuracy)
         return unknowns_.allFinite();
     // Slack and taut members have become too different for coarser nets to tell of them.

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "kept_factor.hpp"
-#include "krylov.hpp"
 #include "method.hpp"
 #include "newton.hpp"
+#include "tangent_equations.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -73,7 +73,7 @@ private:
 
     std::unique_ptr<Preconditioner> preconditioner_;
     bool is_factor_;
-    ConjugateResiduals conjugate_residuals_;
+    TangentEquations equations_;
     std::optional<Newton> newton_;
     Points start_;
     Phase phase_ = Phase::begun;
@@ -94,7 +94,7 @@ private:
     Eigen::VectorXd compliances_; ///< of each member's law, slack included
     Eigen::VectorXd products_;
     Step step_;
-    Points forces_, motion_, product_;
+    Points forces_;
     Eigen::VectorXd right_, unknowns_;
 };
 

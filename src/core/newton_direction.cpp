@@ -122,21 +122,12 @@ bool NewtonDirection::prepare_factor(const Points &x, Equilibrium &equilibrium, 
 
 bool NewtonDirection::iterate(const Points &x, Equilibrium &equilibrium, double floor, double accuracy,
                               int most_iterations) {
-    const Freedoms &freedoms = equilibrium.scene().freedoms();
     const Eigen::VectorXd &residual = equilibrium.residual();
     equilibrium.linearise(x, {.floor = floor, .convex = equilibrium.relative_residual() > near_equilibrium});
     equilibrium.linearise_loads(x);
     direction_.setZero(residual.size());
-    progress_ = conjugate_residuals_.solve(
-        [&](const Eigen::VectorXd &unknowns, Eigen::VectorXd &image) {
-            freedoms.expand(unknowns, motion_);
-            equilibrium.tangent_product(x, motion_, product_);
-            freedoms.reduce(product_, image);
-        },
-        [&](const Eigen::VectorXd &unbalanced, Eigen::VectorXd &motion) {
-            preconditioner_->apply(unbalanced, motion);
-        },
-        residual, accuracy, most_iterations, direction_);
+    progress_ = equations_.solve(x, equilibrium, TangentEquations::Loads::following, *preconditioner_,
+                                 residual, accuracy, most_iterations, direction_);
     // Beyond the limit of existence, or at a saddle, the full tangent points downhill.
     return progress_.residual <= accuracy && direction_.allFinite() &&
            (residual.dot(direction_) > 0 || residual.squaredNorm() == 0);

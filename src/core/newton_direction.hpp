@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "equilibrium.hpp"
-#include "krylov.hpp"
 #include "method.hpp"
-#include "preconditioner.hpp"
+#include "tangent_equations.hpp"
 
 #include <limits>
 #include <memory>
@@ -50,10 +48,10 @@ private:
     /// Whether a factor has served its time.
     bool is_stale_ = true;
     double prepared_at_ = std::numeric_limits<double>::infinity();
-    ConjugateResiduals conjugate_residuals_;
+    TangentEquations equations_;
     LinearProgress progress_;
     Eigen::VectorXd direction_;
-    Points motion_, product_;
+    Points motion_;
     double floor_ = 0;
     double largest_motion_ = 0;
     bool is_newton_step_ = false;
