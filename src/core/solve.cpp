@@ -105,8 +105,9 @@ void Solver::begin(const Points &local_start, bool is_cold) {
         if (had_path)
             levels_ = coarser_levels(*scene_);
     }
+    CoarserLevels of_path;
     if (!levels_.empty() && calls_for_exact_steps(*equilibrium_)) {
-        levels_ = {};
+        of_path = std::exchange(levels_, {});
         iteration_.reset();
     }
     if (is_cold && !levels_.empty()) {
@@ -115,7 +116,8 @@ void Solver::begin(const Points &local_start, bool is_cold) {
     } else if (has_path_) {
         method_ = Method::newton;
         if (!iteration_ || !iteration_->restart())
-            iteration_ = std::make_unique<InteriorPoint>(*equilibrium_, coarser_levels(*scene_));
+            iteration_ = std::make_unique<InteriorPoint>(*equilibrium_,
+                                                         of_path.empty() ? coarser_levels(*scene_) : of_path);
     } else if (!iteration_ || !iteration_->restart())
         use(options_.method == Method::relaxation ? Method::relaxation : Method::newton);
     publish();
