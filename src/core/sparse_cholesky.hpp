@@ -25,12 +25,9 @@ public:
     SparseCholesky &operator=(const SparseCholesky &) = delete;
     ~SparseCholesky();
 
-    /// \param lower         the lower triangle; what stands above the diagonal is not read
-    /// \param first_unknown of each node, and their number at the end: unknowns of one node are eliminated in
-    /// a
-    ///                      row
-    /// \pre `lower` has the structure of the first call's
-    /// \returns whether it is positive definite
+    /// \param lower         the lower triangle; values above the diagonal are not read
+    /// \param first_unknown of each node, and their number at the end: a node's unknowns are eliminated
+    /// together \pre `lower` has the structure of the first call's \returns whether it is positive definite
     bool factorise(const Matrix &lower, std::span<const Index> first_unknown);
     /// \pre the last factorise returned true
     void solve(const Eigen::VectorXd &right, Eigen::VectorXd &solution);

@@ -20,27 +20,22 @@ AxialStiffness axial(double ea) {
 
 /// A wavy roof of triangles, 10 m wide, held along its border.
 ScenePtr roof_of_triangles(Index side, double ea, std::vector<Support> supports = {}) {
-    const auto at = [side](Index i, Index j) { return j * side + i; };
-    Points nodes(side * side, 3);
-    std::vector<Member> members;
+    const auto sheet = flat_sheet(10, 10, 10.0 / (side - 1));
+    Points nodes = sheet->nodes();
+    for (Index node = 0; node < nodes.rows(); ++node) {
+        const double x = nodes(node, 0);
+        const double y = nodes(node, 1);
+        nodes(node, 2) =
+            1.5 + std::sin(0.21 * x + 0.4) * std::cos(0.17 * y - 0.3) + 0.4 * std::sin(0.53 * x + 0.31 * y);
+    }
+    auto members = sheet->members();
     Panels panels;
-    for (Index j = 0; j < side; ++j)
-        for (Index i = 0; i < side; ++i) {
-            const double x = 10.0 * i / (side - 1);
-            const double y = 10.0 * j / (side - 1);
-            nodes.row(at(i, j)) << x, y,
-                1.5 + std::sin(0.21 * x + 0.4) * std::cos(0.17 * y - 0.3) +
-                    0.4 * std::sin(0.53 * x + 0.31 * y);
-            if (i + 1 < side)
-                members.push_back({at(i, j), at(i + 1, j)});
-            if (j + 1 < side)
-                members.push_back({at(i, j), at(i, j + 1)});
-            if (i + 1 == side || j + 1 == side)
-                continue;
-            members.push_back({at(i, j), at(i + 1, j + 1)});
-            panels.add(std::array{at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-            panels.add(std::array{at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-        }
+    for (Index f = 0; f < sheet->panels().size(); ++f) {
+        const auto corners = sheet->panels()[f];
+        members.push_back({corners[0], corners[2]});
+        panels.add(std::array{corners[0], corners[1], corners[2]});
+        panels.add(std::array{corners[0], corners[2], corners[3]});
+    }
     const auto net = std::make_shared<const Net>(nodes, members, panels);
     if (supports.empty())
         supports.push_back({.kind = SupportKind::fixed, .nodes = net->border()});
@@ -133,9 +128,9 @@ TEST(InteriorPoint, AnotherNumberingGivesTheSameShape) {
 
 TEST(InteriorPoint, ReplacedScenesGoOnFromTheShape) {
     const auto scene = roof_of_triangles(11, 1e8);
-    auto parts = parts_of(*scene);
-    parts.effects = {axial(1e8), MemberWeight{26}, CoveringWeight{52}};
-    const auto heavier = std::make_shared<const Scene>(scene->shared_net(), scene->supports(), parts.effects);
+    const auto heavier = std::make_shared<const Scene>(
+        scene->shared_net(), scene->supports(),
+        std::vector<EffectDescription>{axial(1e8), MemberWeight{26}, CoveringWeight{52}});
     Solver solver(scene);
     solver.advance();
     const long cold = solver.result().iterations;
