@@ -17,6 +17,8 @@ FREECAD := $(PYTHON) tools/freecad_run.py
 # `make gui` has settings of its own: the user's stay as they are.
 GUI_HOME := $(CURDIR)/build/freecad-home
 PYTEST := $(PYTHON) -m pytest
+# Every test is a process of its own.
+CTEST := ctest --output-on-failure --no-tests=error --parallel $(shell nproc)
 # No GPU, no sound, no sandbox for FreeCAD's start page: what a bare machine or a container has.
 DISPLAY_RUN := QTWEBENGINE_DISABLE_SANDBOX=1 xvfb-run --auto-servernum --server-args="-screen 0 1600x1000x24"
 
@@ -76,12 +78,12 @@ test: lint build test-core test-sanitize test-house test-python test-freecad tes
 
 test-core: configure ## the C++ core
 	@cmake --build build/release
-	ctest --test-dir build/release --output-on-failure --no-tests=error
+	$(CTEST) --test-dir build/release
 
 test-sanitize: setup ## the C++ core under AddressSanitizer and UndefinedBehaviorSanitizer
 	@$(call configure_preset,sanitize) $(or_show_log)
 	@cmake --build build/sanitize
-	ctest --test-dir build/sanitize --output-on-failure --no-tests=error
+	$(CTEST) --test-dir build/sanitize
 
 test-house: setup ## who may know whom, licences, the addon's description
 	$(PYTEST) tests/house
