@@ -21,11 +21,11 @@ LineMembers::LineMembers(const Lattice &lattice)
     for (Index j = 0; j < lattice.lines_v(); ++j)
         for (Index i = 0; i < cells_u_; ++i)
             if (lattice.node_at(i, j) != lattice.node_at(i + 1, j))
-                along_u_[j * cells_u_ + i] = next++;
+                along_u_[j * cells_u_ + i] = lattice.laid(next++);
     for (Index j = 0; j < lattice.recipe().cells_v; ++j)
         for (Index i = 0; i < lines_u_; ++i)
             if (lattice.node_at(i, j) != lattice.node_at(i, j + 1))
-                along_v_[j * lines_u_ + i] = next++;
+                along_v_[j * lines_u_ + i] = lattice.laid(next++);
 }
 
 std::optional<Coarsening> Coarsening::of(const std::shared_ptr<const Lattice> &fine) {
@@ -91,30 +91,32 @@ void Coarsening::find_parents() {
         for (Index i = 0; i < u_.coarse_lines(); ++i)
             fine_nodes_[coarse_->node_at(i, j)] = fine_->node_at(u_.fine_line(i), v_.fine_line(j));
 
-    // Nodes were numbered along the lines, so that each one's parents follow those of the one before; a pole
-    // is met again with every line.
+    struct Place {
+        Index i = -1, j = -1;
+    };
+    std::vector<Place> places(fine_->uv().rows());
+    for (Index j = v_.lines() - 1; j >= 0; --j)
+        for (Index i = u_.lines() - 1; i >= 0; --i)
+            places[fine_->node_at(i, j)] = {.i = i, .j = j};
+
     offsets_.assign(1, 0);
-    for (Index j = 0; j < v_.lines(); ++j)
-        for (Index i = 0; i < u_.lines(); ++i) {
-            if (fine_->node_at(i, j) != static_cast<Index>(offsets_.size()) - 1)
-                continue;
-            const auto first = static_cast<std::ptrdiff_t>(parents_.size());
-            for (const Parent &along_v : v_.parents(j))
-                for (const Parent &along_u : u_.parents(i)) {
-                    const double part = along_u.part * along_v.part;
-                    if (part == 0)
-                        continue;
-                    const Index node = coarse_->node_at(along_u.node, along_v.node);
-                    const auto same =
-                        std::find_if(parents_.begin() + first, parents_.end(),
-                                     [node](const Parent &parent) { return parent.node == node; });
-                    if (same == parents_.end())
-                        parents_.push_back({node, part});
-                    else
-                        same->part += part;
-                }
-            offsets_.push_back(static_cast<Index>(parents_.size()));
-        }
+    for (const auto &[i, j] : places) {
+        const auto first = static_cast<std::ptrdiff_t>(parents_.size());
+        for (const Parent &along_v : v_.parents(j))
+            for (const Parent &along_u : u_.parents(i)) {
+                const double part = along_u.part * along_v.part;
+                if (part == 0)
+                    continue;
+                const Index node = coarse_->node_at(along_u.node, along_v.node);
+                const auto same = std::find_if(parents_.begin() + first, parents_.end(),
+                                               [node](const Parent &parent) { return parent.node == node; });
+                if (same == parents_.end())
+                    parents_.push_back({node, part});
+                else
+                    same->part += part;
+            }
+        offsets_.push_back(static_cast<Index>(parents_.size()));
+    }
 }
 
 void Coarsening::find_strands() {

@@ -46,6 +46,7 @@ public:
     /// None for a lattice of another pattern, or one too small to leave lines out of.
     [[nodiscard]] static std::optional<Coarsening> of(const std::shared_ptr<const Lattice> &fine);
 
+    [[nodiscard]] const std::shared_ptr<const Lattice> &fine() const { return fine_; }
     [[nodiscard]] const std::shared_ptr<const Lattice> &coarse() const { return coarse_; }
     /// The fine node in the place of each coarse one.
     [[nodiscard]] const std::vector<Index> &fine_nodes() const { return fine_nodes_; }

@@ -207,6 +207,34 @@ Lattice::Lattice(LatticeRecipe recipe) : recipe_(std::move(recipe)) {
     points_ = grid.take_points();
 }
 
+Lattice Lattice::renumbered(const std::vector<Index> &nodes, std::vector<Index> members) const {
+    Lattice result(*this);
+    const auto rename = [&nodes](std::vector<Index> &numbers) {
+        for (Index &node : numbers)
+            node = nodes[node];
+    };
+    rename(result.points_);
+    rename(result.corners_);
+    std::sort(result.corners_.begin(), result.corners_.end());
+    for (auto &[side, along] : result.sides_)
+        rename(along);
+    for (Index node = 0; node < uv_.rows(); ++node)
+        result.uv_.row(nodes[node]) = uv_.row(node);
+    for (std::size_t e = 0; e < members_.size(); ++e)
+        result.members_[members[e]] = {nodes[members_[e][0]], nodes[members_[e][1]]};
+    result.panels_ = Panels();
+    for (Index f = 0; f < panels_.size(); ++f) {
+        const auto corners = panels_[f];
+        std::vector<Index> renamed(corners.begin(), corners.end());
+        rename(renamed);
+        result.panels_.add(renamed);
+    }
+    result.laid_.resize(members.size());
+    for (std::size_t k = 0; k < members.size(); ++k)
+        result.laid_[k] = members[laid(static_cast<Index>(k))];
+    return result;
+}
+
 std::shared_ptr<const Net> make_net(std::shared_ptr<const Lattice> lattice, Points nodes) {
     if (nodes.rows() != lattice->uv().rows())
         throw InvalidInput("nodes has " + std::to_string(nodes.rows()) + " rows, but the lattice has " +

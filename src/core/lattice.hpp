@@ -62,11 +62,20 @@ public:
     [[nodiscard]] Index lines_u() const { return recipe_.cells_u + (recipe_.closed_u ? 0 : 1); }
     [[nodiscard]] Index lines_v() const { return recipe_.cells_v + (recipe_.closed_v ? 0 : 1); }
 
+    /// The same lattice for a net of another numbering.
+    /// \param nodes   the net's number of each node
+    /// \param members the net's number of each member
+    [[nodiscard]] Lattice renumbered(const std::vector<Index> &nodes, std::vector<Index> members) const;
+    /// The number of the k-th member in the order in which the pattern lays them.
+    [[nodiscard]] Index laid(Index k) const { return laid_.empty() ? k : laid_[k]; }
+
 private:
     LatticeRecipe recipe_;
     std::vector<Index> points_;
     Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> uv_;
     std::vector<Member> members_;
+    /// Empty where members are numbered as they were laid.
+    std::vector<Index> laid_;
     Panels panels_;
     std::vector<Index> corners_;
     std::map<Side, std::vector<Index>> sides_;

@@ -3,6 +3,7 @@
 
 #include "effects/axial.hpp"
 #include "errors.hpp"
+#include "lattice_recognition.hpp"
 
 #include <map>
 #include <tuple>
@@ -63,7 +64,8 @@ CoarserLevels coarser_levels(const Scene &scene) {
     Eigen::VectorXd rest = scene.rest_lengths();
     Eigen::VectorXd lines = Eigen::VectorXd::Ones(rest.size());
     std::vector<Support> supports = scene.supports();
-    while (auto coarsening = Coarsening::of(fine->lattice())) {
+    auto lattice = fine->lattice() ? fine->lattice() : recognised_lattice(*fine);
+    while (auto coarsening = Coarsening::of(lattice)) {
         auto net = thinned(*fine, *coarsening);
         if (!net)
             break;
@@ -83,11 +85,13 @@ CoarserLevels coarser_levels(const Scene &scene) {
         lines = std::move(coarse_lines);
         supports = passed_on(supports, *coarsening);
         fine = net.get();
+        lattice = net->lattice();
+        AxialStiffness springs{.stiffness = stiffness,
+                               .compression_only = scene.axial().is_compression_only(),
+                               .per_spring = true};
         levels.push_back({.coarsening = *std::move(coarsening),
                           .net = std::move(net),
-                          .stiffness = {.stiffness = stiffness,
-                                        .compression_only = scene.axial().is_compression_only(),
-                                        .per_spring = true},
+                          .stiffness = std::move(springs),
                           .rest_lengths = rest,
                           .supports = supports,
                           .lines = lines});

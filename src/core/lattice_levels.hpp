@@ -41,8 +41,8 @@ private:
     std::size_t first_ = 0;
 };
 
-/// Nets of every second, fourth, … line of the scene's, from the finest to the coarsest; none if the net was
-/// not made on a quad lattice. Ends before a net that would fold onto itself.
+/// Nets of every second, fourth, … line of the scene's, from the finest to the coarsest; none if the net
+/// neither was made on a quad lattice nor is as if it were. Ends before a net that would fold onto itself.
 [[nodiscard]] CoarserLevels coarser_levels(const Scene &scene);
 
 } // namespace funicular

@@ -16,12 +16,11 @@ struct Transfer {
 } // namespace
 
 struct Multigrid::Level {
-    Level(std::shared_ptr<const Net> of, std::vector<Support> held_by)
+    Level(std::shared_ptr<const Net> of, const Lattice &lattice, std::vector<Support> held_by)
         : net(std::move(of)), supports(std::move(held_by)), freedoms(*net, supports),
-          along_u(*net->lattice(), net->members(), LineSmoother::Direction::u),
-          along_v(*net->lattice(), net->members(), LineSmoother::Direction::v),
-          short_tangents(net->member_count()), forces(net->node_count()), motion(net->node_count()),
-          left(net->node_count()) {}
+          along_u(lattice, net->members(), LineSmoother::Direction::u),
+          along_v(lattice, net->members(), LineSmoother::Direction::v), short_tangents(net->member_count()),
+          forces(net->node_count()), motion(net->node_count()), left(net->node_count()) {}
 
     std::shared_ptr<const Net> net;
     std::vector<Support> supports;
@@ -50,7 +49,8 @@ struct Multigrid::Level {
 Multigrid::~Multigrid() = default;
 
 Multigrid::Multigrid(const Scene &scene, const CoarserLevels &levels) {
-    levels_.push_back(std::make_unique<Level>(scene.shared_net(), scene.supports()));
+    levels_.push_back(
+        std::make_unique<Level>(scene.shared_net(), *levels[0].coarsening.fine(), scene.supports()));
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const LatticeLevel &coarse = levels[k];
         Level &fine = *levels_.back();
@@ -59,7 +59,7 @@ Multigrid::Multigrid(const Scene &scene, const CoarserLevels &levels) {
                 fine.transfers.push_back({parent, static_cast<Real>(part)});
             fine.transfers_of.push_back(static_cast<Index>(fine.transfers.size()));
         }
-        levels_.push_back(std::make_unique<Level>(coarse.net, coarse.supports));
+        levels_.push_back(std::make_unique<Level>(coarse.net, *coarse.net->lattice(), coarse.supports));
         Level &level = *levels_.back();
         level.fine_nodes = coarse.coarsening.fine_nodes();
         level.strands = coarse.coarsening.strands();
