@@ -14,6 +14,7 @@ TITLES = {
     "C": "C: flat net, four corners",
     "S100": "S100: S, 100 × as stiff",
     "S_bare": "S_bare: S without its lattice",
+    "S_gap": "S_gap: S without lattice and one member",
     "D": "D: dome",
     "T": "T: roof of triangles",
 }

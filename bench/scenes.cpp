@@ -24,7 +24,7 @@ constexpr double rib_load = 250;      // [N/m]
 constexpr double covering_load = 500; // [N/m²]
 
 [[noreturn]] void refuse(const std::string &scene) {
-    throw InvalidInput("scene '" + scene + "' is not known; choose one of: S, S100, S_bare, C, D, T");
+    throw InvalidInput("scene '" + scene + "' is not known; choose one of: S, S100, S_bare, S_gap, C, D, T");
 }
 
 Index nodes_a_side(Index node_count) {
@@ -37,6 +37,13 @@ NetPtr sheet(Index side) {
 
 NetPtr without_lattice(const Net &net) {
     return std::make_shared<const Net>(net.nodes(), net.members(), net.panels());
+}
+
+/// Without the member in the middle, so that it is no lattice.
+NetPtr with_gap(const Net &net) {
+    auto members = net.members();
+    members.erase(members.begin() + net.member_count() / 4);
+    return std::make_shared<const Net>(net.nodes(), std::move(members), net.panels());
 }
 
 NetPtr dome(Index node_count) {
@@ -98,6 +105,8 @@ NetPtr make_net(const std::string &scene, Index node_count) {
         return sheet(nodes_a_side(node_count));
     if (scene == "S_bare")
         return without_lattice(*sheet(nodes_a_side(node_count)));
+    if (scene == "S_gap")
+        return with_gap(*sheet(nodes_a_side(node_count)));
     if (scene == "D")
         return dome(node_count);
     if (scene == "T")
@@ -119,7 +128,7 @@ ScenePtr make_scene(const std::string &scene, const NetPtr &net, double weight_f
         effects = {AxialStiffness{Eigen::VectorXd::Constant(1, stiff_ea)},
                    MemberWeight{weight_factor * rib_load / standard_gravity},
                    CoveringWeight{weight_factor * covering_load / standard_gravity}};
-    else if (scene == "S" || scene == "S100" || scene == "S_bare" || scene == "C")
+    else if (scene == "S" || scene == "S100" || scene == "S_bare" || scene == "S_gap" || scene == "C")
         effects = {AxialStiffness{Eigen::VectorXd::Constant(1, scene == "S100" ? 100 * soft_ea : soft_ea)},
                    MemberWeight{weight_factor * sheet_load / standard_gravity}};
     else

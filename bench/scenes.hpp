@@ -4,7 +4,8 @@
 ///
 /// S       flat square net of quads, 10 m, EA 100 kN, 0.5 kN/m on the members' present length, border fixed
 /// S100    the same with a hundred times the stiffness
-/// S_bare  the same as nodes, members and panels, with no lattice behind them
+/// S_bare  S as nodes, members and panels, without the word that they are a lattice
+/// S_gap   S_bare with one member in the middle left out, so that there is none
 /// C       S held on its four corners only
 /// D       hemispherical net of meridians and hoops, 10 m radius, EA 100 MN, 0.25 kN/m and a covering of
 ///         0.5 kN/m², base ring fixed

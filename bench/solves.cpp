@@ -292,7 +292,7 @@ void register_solves(Extent extent) {
     add_rise("S", 21, 1.486945);
     add_rise("C", 21, 5.529614);
     if (extent == Extent::tiny) {
-        for (const char *scene : {"S", "C", "S100", "S_bare", "D", "T"})
+        for (const char *scene : {"S", "C", "S100", "S_bare", "S_gap", "D", "T"})
             add_cold(scene, 101, {});
         add_warm("warm", "S", 121, 1.05, position_only, 2, {});
         add_factorisations("S", 121);
@@ -304,11 +304,11 @@ void register_solves(Extent extent) {
     add_rise("C", 101, 6.131784);
 
     for (const Index side : {21, 51})
-        for (const char *scene : {"S", "C", "S100", "S_bare", "D", "T"})
+        for (const char *scene : {"S", "C", "S100", "S_bare", "S_gap", "D", "T"})
             add_cold(scene, side * side, {});
-    const std::map<std::string, std::array<double, 2>> most_ratios{{"S", {0.7, 0.35}}, {"C", {0.7, 0.35}},
-                                                                   {"S100", {2, 2}},   {"S_bare", {4, 4}},
-                                                                   {"D", {4, 4}},      {"T", {4, 4}}};
+    const std::map<std::string, std::array<double, 2>> most_ratios{
+        {"S", {0.7, 0.35}}, {"C", {0.7, 0.35}}, {"S100", {2, 2}}, {"S_bare", {4, 4}},
+        {"S_gap", {4, 4}},  {"D", {4, 4}},      {"T", {4, 4}}};
     for (const auto &[scene, most] : most_ratios)
         add_cold(scene, 101 * 101, {{ratio, most[0]}});
     for (const char *scene : {"S", "C", "D"}) {

@@ -28,7 +28,7 @@ NEEDED = {
     "forces": {"ns_per_node", "bytes_per_node"},
     "tangent": {"ns_per_node"},
 }
-SCENES = {"S", "C", "S100", "S_bare", "D", "T"}
+SCENES = {"S", "C", "S100", "S_bare", "S_gap", "D", "T"}
 
 
 def faults(rows):

@@ -153,19 +153,21 @@ void LineSmoother::solve_line(std::size_t line, const std::vector<ShortMemberTan
                               const Vectors3r &forces, Vectors3r &motion) {
     const Index begin = lines_[line];
     const Index end = lines_[line + 1];
+    Vector3r before = Vector3r::Zero();
     for (Index at = begin; at < end; ++at) {
         Vector3r force = forces[nodes_[at]];
         for (Index arm = arms_of_[at]; arm < arms_of_[at + 1]; ++arm)
             force += tangents[arms_[arm].member] * motion[arms_[arm].node];
         if (members_[at] >= 0)
-            force.noalias() += carries_[at - 1].transpose() * partial_[at - 1];
-        partial_[at] = force;
+            force.noalias() += carries_[at - 1].transpose() * before;
+        partial_[at] = before = force;
     }
+    Vector3r after = Vector3r::Zero();
     for (Index at = end - 1; at >= begin; --at) {
         Vector3r moved = inverse_pivots_[at] * partial_[at];
         if (at + 1 < end && members_[at + 1] >= 0)
-            moved.noalias() += carries_[at] * motion[nodes_[at + 1]];
-        motion[nodes_[at]] = moved;
+            moved.noalias() += carries_[at] * after;
+        motion[nodes_[at]] = after = moved;
     }
 }
 
