@@ -2,6 +2,7 @@
 #include "lattice.hpp"
 
 #include "errors.hpp"
+#include "patterns.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +12,15 @@ namespace funicular {
 
 namespace {
 
-constexpr std::array<std::pair<Pattern, const char *>, 1> pattern_names{{{Pattern::quad, "quad"}}};
 constexpr std::array<std::pair<Side, const char *>, 4> side_names{
     {{Side::u_min, "u_min"}, {Side::u_max, "u_max"}, {Side::v_min, "v_min"}, {Side::v_max, "v_max"}}};
+
+std::vector<std::pair<Pattern, const char *>> names_of_patterns() {
+    std::vector<std::pair<Pattern, const char *>> names;
+    for (const PatternRule &rule : pattern_rules())
+        names.emplace_back(rule.pattern, rule.name);
+    return names;
+}
 
 template <class Names>
 auto value_from_name(const Names &names, const std::string &name, const char *argument) {
@@ -31,92 +38,6 @@ std::string name_from_value(const Names &names, Value value) {
     return std::find_if(names.begin(), names.end(),
                         [value](const auto &entry) { return entry.first == value; })
         ->second;
-}
-
-/// The lattice points and what a pattern lays on them: closed directions wrap and poles are one node, so that
-/// a pattern never has to know.
-class Grid {
-public:
-    explicit Grid(const LatticeRecipe &recipe) : recipe_(recipe) {
-        points_.resize(static_cast<std::size_t>(recipe.cells_u + 1) * (recipe.cells_v + 1), -1);
-        for (Index j = 0; j <= recipe.cells_v; ++j)
-            for (Index i = 0; i <= recipe.cells_u; ++i)
-                point(i, j) = existing_node(i, j);
-    }
-
-    [[nodiscard]] Index cells_u() const { return recipe_.cells_u; }
-    [[nodiscard]] Index cells_v() const { return recipe_.cells_v; }
-    /// Distinct lattice lines across u and across v: a closed direction has no last one.
-    [[nodiscard]] Index lines_u() const { return recipe_.closed_u ? cells_u() : cells_u() + 1; }
-    [[nodiscard]] Index lines_v() const { return recipe_.closed_v ? cells_v() : cells_v() + 1; }
-    /// Node at lattice point (i, j), 0 <= i <= cells_u, 0 <= j <= cells_v.
-    [[nodiscard]] Index node(Index i, Index j) const { return points_[j * (recipe_.cells_u + 1) + i]; }
-
-    /// The seam of a closed direction and the rim of a pole are left out: they would be members twice or of
-    /// no length.
-    void add_member(Index a, Index b) {
-        if (a != b)
-            members.push_back({a, b});
-    }
-    /// A panel that touches a pole loses the corner that has no extent.
-    void add_panel(std::initializer_list<Index> around) {
-        std::vector<Index> corners;
-        for (const Index node : around)
-            if (std::find(corners.begin(), corners.end(), node) == corners.end())
-                corners.push_back(node);
-        if (corners.size() >= 3)
-            panels.add(corners);
-    }
-
-    [[nodiscard]] std::vector<Index> take_points() { return std::move(points_); }
-
-    std::vector<std::array<double, 2>> uv;
-    std::vector<Member> members;
-    Panels panels;
-
-private:
-    Index &point(Index i, Index j) { return points_[j * (recipe_.cells_u + 1) + i]; }
-
-    [[nodiscard]] bool is_pole(Side side) const {
-        return std::find(recipe_.poles.begin(), recipe_.poles.end(), side) != recipe_.poles.end();
-    }
-
-    Index existing_node(Index i, Index j) {
-        if (recipe_.closed_u && i == recipe_.cells_u)
-            return node(0, j);
-        if (recipe_.closed_v && j == recipe_.cells_v)
-            return node(i, 0);
-        if (i > 0 && ((j == 0 && is_pole(Side::v_min)) || (j == recipe_.cells_v && is_pole(Side::v_max))))
-            return node(0, j);
-        if (j > 0 && ((i == 0 && is_pole(Side::u_min)) || (i == recipe_.cells_u && is_pole(Side::u_max))))
-            return node(i, 0);
-        uv.push_back({static_cast<double>(i) / recipe_.cells_u, static_cast<double>(j) / recipe_.cells_v});
-        return static_cast<Index>(uv.size()) - 1;
-    }
-
-    const LatticeRecipe &recipe_;
-    std::vector<Index> points_;
-};
-
-/// One member along each lattice line between neighbours, one panel in each cell.
-void lay_quads(Grid &grid) {
-    for (Index j = 0; j < grid.lines_v(); ++j)
-        for (Index i = 0; i < grid.cells_u(); ++i)
-            grid.add_member(grid.node(i, j), grid.node(i + 1, j));
-    for (Index j = 0; j < grid.cells_v(); ++j)
-        for (Index i = 0; i < grid.lines_u(); ++i)
-            grid.add_member(grid.node(i, j), grid.node(i, j + 1));
-    for (Index j = 0; j < grid.cells_v(); ++j)
-        for (Index i = 0; i < grid.cells_u(); ++i)
-            grid.add_panel(
-                {grid.node(i, j), grid.node(i + 1, j), grid.node(i + 1, j + 1), grid.node(i, j + 1)});
-}
-
-void lay(Pattern pattern, Grid &grid) {
-    switch (pattern) {
-    case Pattern::quad:
-        return lay_quads(grid);
-    }
 }
 
 /// Checks the cells, closure and poles of one direction, 'u' or 'v'.
@@ -142,14 +63,35 @@ void check_direction(const LatticeRecipe &recipe, char direction) {
                            ": choose a larger step");
 }
 
+/// Lines along one direction alone never reach a pole of the other.
+void check_every_node_has_a_member(const PatternGrid &grid) {
+    std::vector<bool> has_member(grid.uv.size(), false);
+    for (const auto &[a, b] : grid.members)
+        has_member[a] = has_member[b] = true;
+    if (std::find(has_member.begin(), has_member.end(), false) != has_member.end())
+        throw InvalidInput("pattern: no rib reaches the pole; choose the ribs of the other direction");
+}
+
 } // namespace
 
 Pattern pattern_from_name(const std::string &name) {
-    return value_from_name(pattern_names, name, "pattern");
+    return value_from_name(names_of_patterns(), name, "pattern");
 }
 std::string pattern_name(Pattern pattern) {
-    return name_from_value(pattern_names, pattern);
+    return rule_of(pattern).name;
 }
+std::vector<std::string> pattern_names() {
+    std::vector<std::string> names;
+    for (const PatternRule &rule : pattern_rules())
+        names.emplace_back(rule.name);
+    return names;
+}
+
+std::array<double, 2> cell_extent(Pattern pattern) {
+    const PatternRule &rule = rule_of(pattern);
+    return {rule.cell_u, rule.cell_v};
+}
+
 Side side_from_name(const std::string &name) {
     return value_from_name(side_names, name, "poles");
 }
@@ -172,8 +114,17 @@ Lattice::Lattice(LatticeRecipe recipe) : recipe_(std::move(recipe)) {
     if ((has(Side::u_min) || has(Side::u_max)) && (has(Side::v_min) || has(Side::v_max)))
         throw InvalidInput("poles: sides of u and of v cannot both be poles, as they would be one point");
 
-    Grid grid(recipe_);
-    lay(recipe_.pattern, grid);
+    const PatternRule &rule = rule_of(recipe_.pattern);
+    const auto to_multiple = [](Index cells, bool closed, Index period) {
+        return closed ? (cells + period - 1) / period * period : cells;
+    };
+    recipe_.cells_u = to_multiple(recipe_.cells_u, recipe_.closed_u, rule.period_u);
+    recipe_.cells_v = to_multiple(recipe_.cells_v, recipe_.closed_v, rule.period_v);
+
+    PatternGrid grid(recipe_, rule.points_u, rule.points_v);
+    rule.lay(grid);
+    grid.remove_doubles();
+    check_every_node_has_a_member(grid);
 
     uv_.resize(static_cast<Index>(grid.uv.size()), 2);
     for (Index i = 0; i < uv_.rows(); ++i)
@@ -181,30 +132,24 @@ Lattice::Lattice(LatticeRecipe recipe) : recipe_(std::move(recipe)) {
     members_ = std::move(grid.members);
     panels_ = std::move(grid.panels);
 
-    const Index m = recipe_.cells_u;
-    const Index n = recipe_.cells_v;
-    const auto along = [](Index count, bool closed, const auto &node_at) {
-        std::vector<Index> nodes(closed ? count : count + 1);
-        for (std::size_t k = 0; k < nodes.size(); ++k)
-            nodes[k] = node_at(static_cast<Index>(k));
-        return nodes;
-    };
     if (!recipe_.closed_u)
-        for (const auto &[side, i] : {std::pair{Side::u_min, 0}, std::pair{Side::u_max, m}})
+        for (const auto &[side, p] : {std::pair{Side::u_min, 0}, std::pair{Side::u_max, grid.last_u()}})
             if (!has(side))
-                sides_[side] =
-                    along(n, recipe_.closed_v, [&grid, i = i](Index j) { return grid.node(i, j); });
+                sides_[side] = grid.column(p);
     if (!recipe_.closed_v)
-        for (const auto &[side, j] : {std::pair{Side::v_min, 0}, std::pair{Side::v_max, n}})
+        for (const auto &[side, q] : {std::pair{Side::v_min, 0}, std::pair{Side::v_max, grid.last_v()}})
             if (!has(side))
-                sides_[side] =
-                    along(m, recipe_.closed_u, [&grid, j = j](Index i) { return grid.node(i, j); });
+                sides_[side] = grid.row(q);
     if (!recipe_.closed_u && !recipe_.closed_v) {
-        corners_ = {grid.node(0, 0), grid.node(m, 0), grid.node(m, n), grid.node(0, n)};
+        corners_ = {grid.node(0, 0), grid.node(grid.last_u(), 0), grid.node(grid.last_u(), grid.last_v()),
+                    grid.node(0, grid.last_v())};
         std::sort(corners_.begin(), corners_.end());
         corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
     }
-    points_ = grid.take_points();
+    points_.reserve(static_cast<std::size_t>(recipe_.cells_u + 1) * (recipe_.cells_v + 1));
+    for (Index j = 0; j <= recipe_.cells_v; ++j)
+        for (Index i = 0; i <= recipe_.cells_u; ++i)
+            points_.push_back(grid.node(i * rule.points_u, j * rule.points_v));
 }
 
 Lattice Lattice::renumbered(const std::vector<Index> &nodes, std::vector<Index> members) const {

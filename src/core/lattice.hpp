@@ -3,6 +3,7 @@
 
 #include "net.hpp"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,11 +12,28 @@
 namespace funicular {
 
 /// How members and panels are laid on a (u, v) lattice (paper section 5.1 and figure 2).
-enum class Pattern { quad };
+enum class Pattern {
+    quad,
+    diagonal,       ///< quads split from their first corner
+    other_diagonal, ///< and from their second
+    alternating,    ///< by turns
+    crossed,        ///< both diagonals, which pass each other without a joint
+    centred,        ///< both diagonals with a joint in the middle
+    diagrid,        ///< the diagonals alone
+    triangle,       ///< rows that stand half a cell apart
+    hexagon,
+    kagome, ///< triangles between hexagons
+    ribs_u, ///< members along u alone
+    ribs_v
+};
 
 /// \throws InvalidInput that lists the patterns there are.
 [[nodiscard]] Pattern pattern_from_name(const std::string &name);
 [[nodiscard]] std::string pattern_name(Pattern pattern);
+[[nodiscard]] std::vector<std::string> pattern_names();
+
+/// (along u, along v) of a cell, where all members, diagonals of quads apart, are one unit long.
+[[nodiscard]] std::array<double, 2> cell_extent(Pattern pattern);
 
 /// A side of the unit (u, v) square.
 enum class Side { u_min, u_max, v_min, v_max };
@@ -30,7 +48,8 @@ struct LatticeRecipe {
     Pattern pattern = Pattern::quad;
     Index cells_u = 1;
     Index cells_v = 1;
-    /// The last cell joins the first: u = 1 is u = 0.
+    /// The last cell joins the first: u = 1 is u = 0. The number of cells then becomes a multiple of those after
+    /// which the pattern repeats.
     bool closed_u = false;
     bool closed_v = false;
     /// Sides that are a single point of the surface (the apex of a dome).
@@ -55,7 +74,7 @@ public:
     /// Nodes along each side that is neither closed nor a pole, in order of the other coordinate.
     [[nodiscard]] const std::map<Side, std::vector<Index>> &sides() const { return sides_; }
 
-    /// Node at lattice point (i, j), 0 <= i <= cells_u, 0 <= j <= cells_v; closed directions wrap and a pole
+    /// Node at lattice point (i, j) of a pattern that has one at each corner of its cells alone, 0 <= i <= cells_u, 0 <= j <= cells_v; closed directions wrap and a pole
     /// is the same node all along.
     [[nodiscard]] Index node_at(Index i, Index j) const { return points_[j * (recipe_.cells_u + 1) + i]; }
     /// Distinct lattice lines across u and across v: a closed direction has no last one.

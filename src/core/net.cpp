@@ -144,23 +144,26 @@ std::vector<Index> Net::border() const {
 }
 
 std::shared_ptr<const Net> flat_sheet(double width, double depth, double step, const char *pattern) {
-    const auto check_extent = [step](double extent, const char *name) {
+    for (const auto &[extent, name] : {std::pair{width, "width"}, std::pair{depth, "depth"}}) {
         if (!(extent > 0) || !std::isfinite(extent))
             throw InvalidInput(std::string(name) + " must be positive and finite, in metres");
         if (!(step > 0))
             throw InvalidInput("step must be positive, in metres");
         if (step > extent)
             throw InvalidInput("step is larger than " + std::string(name) + ": choose a smaller step");
-        const double cells = std::round(extent / step);
-        if (cells > max_lattice_cells)
-            throw InvalidInput("step is too small: it makes more than " + std::to_string(max_lattice_cells) +
-                               " cells along " + name);
-        return static_cast<Index>(cells);
-    };
+    }
     LatticeRecipe recipe;
     recipe.pattern = pattern_from_name(pattern);
-    recipe.cells_u = check_extent(width, "width");
-    recipe.cells_v = check_extent(depth, "depth");
+    const auto extent_of_cell = cell_extent(recipe.pattern);
+    const auto cells = [step](double extent, double cell, const char *name) {
+        const double count = std::max(1.0, std::round(extent / (cell * step)));
+        if (count > max_lattice_cells)
+            throw InvalidInput("step is too small: it makes more than " + std::to_string(max_lattice_cells) +
+                               " cells along " + name);
+        return static_cast<Index>(count);
+    };
+    recipe.cells_u = cells(width, extent_of_cell[0], "width");
+    recipe.cells_v = cells(depth, extent_of_cell[1], "depth");
 
     auto lattice = std::make_shared<const Lattice>(recipe);
     Points nodes = Points::Zero(lattice->uv().rows(), 3);

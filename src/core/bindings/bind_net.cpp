@@ -92,8 +92,21 @@ nodes: (n, 3) positions [m], one for each row of `uv`. Raises InvalidInput for a
         py::arg("closed_v") = false, py::arg("poles") = std::vector<std::string>{},
         R"(A lattice of cells_u x cells_v cells with members and panels laid by a pattern (Brivio et al. 2009, section 5.1).
 
-closed_u, closed_v: the last cell joins the first. poles: names of the sides ("u_min", "u_max", "v_min", "v_max") that
-are one point. Raises InvalidInput for too few cells or contradictory poles.)");
+closed_u, closed_v: the last cell joins the first; the number of cells becomes a multiple of those after which the pattern
+repeats, see `cells`. poles: names of the sides ("u_min", "u_max", "v_min", "v_max") that
+are one point. Raises InvalidInput for too few cells, contradictory poles, or an unknown pattern; `patterns()` names
+them all.)");
+
+    module.def(
+        "patterns", [] { return py::tuple(py::cast(pattern_names())); },
+        "Names of the patterns that `lattice` lays, the plain one first.");
+    module.def(
+        "cell_extent", [](const std::string &pattern) { return cell_extent(pattern_from_name(pattern)); },
+        py::arg("pattern"),
+        R"(Extent of a pattern's cell along u and along v where its members are one unit long, diagonals of quads apart.
+
+For a net with members of a given length: cells_u = width / (length * cell_extent(pattern)[0]), and likewise for v. Raises
+InvalidInput for a pattern that is not known.)");
 
     py::class_<Net, std::shared_ptr<Net>>(
         module, "Net",
@@ -113,7 +126,7 @@ of zero length, or given twice.)")
                 return std::const_pointer_cast<Net>(flat_sheet(width, depth, step, pattern.c_str()));
             },
             py::arg("width"), py::arg("depth"), py::arg("step"), py::arg("pattern") = "quad",
-            R"(A flat sheet width x depth [m] in the plane z = 0, one corner at the origin, cells of about `step` [m]
+            R"(A flat sheet width x depth [m] in the plane z = 0, one corner at the origin, members of about `step` [m]
 (Brivio et al. 2009, section 5.1). Raises InvalidInput unless 0 < step <= width, depth.)")
         .def_property_readonly(
             "nodes", [](const py::object &self) { return read_only(self.cast<const Net &>().nodes(), self); },

@@ -26,7 +26,9 @@ _NUMERIC_API = (
     "Snow",
     "Solver",
     "certify",
+    "cell_extent",
     "lattice",
+    "patterns",
     "solve",
     "solve_matching_lengths",
 )

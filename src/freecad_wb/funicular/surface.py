@@ -125,15 +125,16 @@ def _refined(table, point, measure, knots):
     return table
 
 
-def count_cells(chart, step_u, step_v):
-    """Cells along u and along v: the mean length of the isolines over the step [mm], rounded.
+def count_cells(chart, step_u, step_v, pattern="quad"):
+    """Cells along u and along v: the mean length of the isolines over that of the pattern's cells [mm], rounded.
 
-    At least 1, 2 between two poles and 3 around a closed direction. Raises InvalidInput naming the step.
+    step_u, step_v: lengths of members along u and along v. At least 1, 2 between two poles and 3 around a closed direction. Raises InvalidInput naming the step.
     """
     cells = []
-    for name, step, lengths, closed, ends in (
-        ("StepU", step_u, chart.table.lengths_u, chart.closed_u, {"u_min", "u_max"}),
-        ("StepV", step_v, chart.table.lengths_v, chart.closed_v, {"v_min", "v_max"}),
+    along_u, along_v = fn.cell_extent(pattern)
+    for name, step, extent, lengths, closed, ends in (
+        ("StepU", step_u, along_u, chart.table.lengths_u, chart.closed_u, {"u_min", "u_max"}),
+        ("StepV", step_v, along_v, chart.table.lengths_v, chart.closed_v, {"v_min", "v_max"}),
     ):
         if not step > 0.0:
             raise fn.InvalidInput(f"{name} is {step:g} mm: give a length greater than zero")
@@ -144,7 +145,7 @@ def count_cells(chart, step_u, step_v):
                 f"measures {longest:.6g} mm: give a smaller step"
             )
         fewest = 3 if closed else 2 if ends <= chart.poles else 1
-        cells.append(max(fewest, round(float(lengths.mean()) / step)))
+        cells.append(max(fewest, round(float(lengths.mean()) / (extent * step))))
     if (cells[0] + 1) * (cells[1] + 1) > MOST_NODES:
         raise fn.InvalidInput(
             f"StepU = {step_u:g} mm and StepV = {step_v:g} mm would make {cells[0]} × {cells[1]} cells, "

@@ -10,7 +10,21 @@ import funicular as fn
 from .. import surface
 from .feature import Feature, Property, amount
 
-PATTERNS = ("Quad",)
+# fn.patterns() as an architect reads them; written out, as this module has to load without the core.
+PATTERNS = (
+    "Quad",
+    "Diagonal",
+    "Other diagonal",
+    "Alternating",
+    "Crossed",
+    "Centred",
+    "Diagrid",
+    "Triangle",
+    "Hexagon",
+    "Kagome",
+    "Ribs u",
+    "Ribs v",
+)
 
 # OCCT takes points within 1e-7 mm of each other for one.
 SHORTEST_EDGE = 1e-7
@@ -29,7 +43,7 @@ class Net(Feature):
             "App::PropertyLength",
             "StepU",
             "Net",
-            "Length of a cell along u, measured on the face",
+            "Length of members along u, measured on the face",
             "1 m",
             unit="mm",
         ),
@@ -37,7 +51,7 @@ class Net(Feature):
             "App::PropertyLength",
             "StepV",
             "Net",
-            "Length of a cell along v, measured on the face",
+            "Length of members along v, measured on the face",
             "1 m",
             unit="mm",
         ),
@@ -77,11 +91,10 @@ class Net(Feature):
     def compute(self, obj):
         face, name, body = read_source(obj)
         chart = surface.read_face(face, name)
-        cells_u, cells_v = surface.count_cells(chart, amount(obj, "StepU", "mm"), amount(obj, "StepV", "mm"))
+        pattern = _name_of(obj.Pattern)
         lattice = fn.lattice(
-            cells_u,
-            cells_v,
-            pattern=obj.Pattern.lower(),
+            *surface.count_cells(chart, amount(obj, "StepU", "mm"), amount(obj, "StepV", "mm"), pattern),
+            pattern=pattern,
             closed_u=chart.closed_u,
             closed_v=chart.closed_v,
             poles=sorted(chart.poles),
@@ -96,7 +109,7 @@ class Net(Feature):
         obj.SourceBody = body
         obj.SampledPattern = obj.Pattern
         obj.ClosedU, obj.ClosedV, obj.Poles = chart.closed_u, chart.closed_v, sorted(chart.poles)
-        obj.CellsU, obj.CellsV = cells_u, cells_v
+        obj.CellsU, obj.CellsV = lattice.cells
         obj.NodeCount, obj.MemberCount, obj.PanelCount = len(nodes), len(net.members), len(net.panels)
 
 
@@ -111,13 +124,17 @@ def net_of(obj):
         obj.CellsU,
         obj.CellsV,
         # Files of before hold no other pattern than the first.
-        pattern=(obj.SampledPattern or PATTERNS[0]).lower(),
+        pattern=_name_of(obj.SampledPattern or PATTERNS[0]),
         closed_u=obj.ClosedU,
         closed_v=obj.ClosedV,
         poles=obj.Poles,
     )
     place = obj.Placement.Matrix
     return lattice.net(np.array([tuple(place.multVec(node)) for node in obj.SourceNodes]) * 1e-3)
+
+
+def _name_of(pattern):
+    return pattern.lower().replace(" ", "_")
 
 
 def read_source(obj):
