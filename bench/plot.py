@@ -89,8 +89,10 @@ def main(results, picture):
         draw(axes, scene, [row for row in rows if row["scene"] == scene])
         for handle, label in zip(*axes.get_legend_handles_labels()):
             legend.setdefault(label, handle)
-    for axes in panels[-1]:
+    # The last one of each column, which need not be in the last line.
+    for axes in panels.flat[max(0, len(scenes) - columns) : len(scenes)]:
         axes.set_xlabel("nodes")
+        axes.tick_params(labelbottom=True)
     for axes in panels[:, 0]:
         axes.set_ylabel("CPU time [s]")
     figure.legend(
