@@ -42,7 +42,8 @@ void PatternGrid::place(Index p, Index q, double shift_v) {
     if (node >= 0)
         return;
     node = static_cast<Index>(uv.size());
-    uv.push_back({static_cast<double>(at_p) / last_u_, (at_q + shift_v) / last_v_});
+    const double v = (at_q + shift_v) / last_v_;
+    uv.push_back({static_cast<double>(at_p) / last_u_, v < 0 ? v + 1 : v});
 }
 
 Index PatternGrid::node(Index p, Index q) const {

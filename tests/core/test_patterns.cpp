@@ -86,6 +86,8 @@ std::map<Edge, int> panel_edges(const Lattice &lattice) {
 
 TEST_P(Patterns, CloseAsTheFaceDoes) {
     on_every_topology([](const Lattice &lattice, const Topology &topology) {
+        EXPECT_GE(lattice.uv().minCoeff(), 0);
+        EXPECT_LE(lattice.uv().maxCoeff(), 1);
         const auto edges = panel_edges(lattice);
         EXPECT_EQ(lattice.uv().rows() - static_cast<Index>(edges.size()) + lattice.panels().size(),
                   topology.characteristic);
@@ -110,8 +112,9 @@ TEST_P(Patterns, CloseAsTheFaceDoes) {
                 border.erase(found);
                 at = border.contains(one) ? one : other;
                 // A pole at the end of two sides is on the border and on neither side.
-                if (topology.poles.empty())
+                if (topology.poles.empty()) {
                     EXPECT_TRUE(on_sides.contains(one) && on_sides.contains(other));
+                }
             }
         }
         EXPECT_EQ(loops, topology.border_loops);
@@ -204,8 +207,9 @@ TEST_P(Patterns, AreLaidOnASheetWithMembersOfTheStep) {
         const double dy = std::abs(net->nodes()(a, 1) - net->nodes()(b, 1));
         if (has_diagonals && dx > 1e-9 && dy > 1e-9)
             continue;
-        if (is_inside(a) && is_inside(b))
+        if (is_inside(a) && is_inside(b)) {
             EXPECT_NEAR(net->source_lengths()[e], 1, 1e-9);
+        }
     }
 }
 
