@@ -34,6 +34,9 @@ help: ## this list
 demo: build ## headless FreeCAD on the shipped examples; files and pictures in build/demo/
 	$(FREECAD) examples/run_demo.py
 
+gallery: build ## every pattern on one sheet, docs/patterns.png
+	@$(PYTHON) examples/gallery.py docs/patterns.png
+
 gui: build ## FreeCAD with the workbench loaded from this checkout
 	@mkdir -p $(GUI_HOME)
 	@FREECAD_USER_HOME=$(GUI_HOME) $(FREECAD) tools/install.py --link
@@ -108,5 +111,5 @@ soak: build ## random scenes and mesh files for SOAK_SECONDS (600): new ones eve
 clean: ## remove build/ and the compiled module
 	rm -rf build src/freecad_wb/funicular/_core*.so
 
-.PHONY: help demo gui install setup configure build lint format bench test test-core test-sanitize test-house \
+.PHONY: help demo gallery gui install setup configure build lint format bench test test-core test-sanitize test-house \
 	test-python test-freecad test-gui soak clean
