@@ -385,3 +385,17 @@ def test_a_net_can_carry_a_second_gridshell(opened):
     press("Ok")
     assert names(document) == ["Roof", "Net", "Gridshell", "Gridshell001"]
     assert document.getObject("Gridshell001").Net == opened.Net
+
+
+def test_each_pattern_has_a_picture_and_can_be_chosen(opened):
+    box = panel_box("Pattern")
+    pictures = [box.itemIcon(row).pixmap(64, 64).toImage() for row in range(box.count())]
+    assert len(pictures) == 12
+    for row, picture in enumerate(pictures):
+        assert not picture.isNull()
+        assert picture not in pictures[:row], f"{box.itemText(row)} looks like another one"
+    before = result_line()
+    box.setCurrentIndex(box.findText("Kagome"))
+    assert wait_for_result(before).startswith("✔")
+    assert opened.Net.Pattern == "Kagome"
+    assert len(opened.Shape.Edges) == opened.Net.MemberCount

@@ -7,7 +7,8 @@ Labels are written here; tooltips are the properties' own documentation.
 import FreeCAD
 import FreeCADGui
 
-from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
+from funicular.gui.pattern_icons import pattern_icon
+from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
 
 # (heading, ((owner, property, label), …)), in the order of the panel and of the Tab key.
 SECTIONS = (
@@ -119,7 +120,10 @@ def _make_read_only(widget):
 def _choice(obj, name, on_change):
     widget = QtWidgets.QComboBox()
     choices = obj.getEnumerationsOfProperty(name)
-    widget.addItems(choices)
+    if name == "Pattern":
+        widget.setIconSize(QtCore.QSize(24, 24))
+    for choice in choices:
+        widget.addItem(pattern_icon(choice) if name == "Pattern" else QtGui.QIcon(), choice)
     widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     widget.setMinimumContentsLength(8)
     widget.currentIndexChanged.connect(lambda index: on_change(choices[index]))
