@@ -31,5 +31,11 @@ def pattern_icon(pattern):
     points = [QtCore.QPointF(MARGIN + extent * u, MARGIN + extent * (1.0 - v)) for u, v in lattice.uv.tolist()]
     for a, b in lattice.members.tolist():
         painter.drawLine(points[a], points[b])
+    if name == "centred":
+        # What sets it apart from members that pass each other.
+        pen.setWidthF(11.0)
+        painter.setPen(pen)
+        for point in points:
+            painter.drawPoint(point)
     painter.end()
     return QtGui.QIcon(pixmap)
