@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every pattern on one sheet: flat, and relaxed under its own weight and that of a covering. Needs no FreeCAD.
+"""Every pattern on one sheet, relaxed under its own weight and that of a covering. Needs no FreeCAD.
 
     python3 examples/gallery.py build/gallery/patterns.png
 """

@@ -48,8 +48,8 @@ struct LatticeRecipe {
     Pattern pattern = Pattern::quad;
     Index cells_u = 1;
     Index cells_v = 1;
-    /// The last cell joins the first: u = 1 is u = 0. The number of cells then becomes a multiple of those after
-    /// which the pattern repeats.
+    /// The last cell joins the first: u = 1 is u = 0. The number of cells then becomes a multiple of those
+    /// after which the pattern repeats.
     bool closed_u = false;
     bool closed_v = false;
     /// Sides that are a single point of the surface (the apex of a dome).
@@ -74,8 +74,8 @@ public:
     /// Nodes along each side that is neither closed nor a pole, in order of the other coordinate.
     [[nodiscard]] const std::map<Side, std::vector<Index>> &sides() const { return sides_; }
 
-    /// Node at lattice point (i, j) of a pattern that has one at each corner of its cells alone, 0 <= i <= cells_u, 0 <= j <= cells_v; closed directions wrap and a pole
-    /// is the same node all along.
+    /// Node at lattice point (i, j) of a pattern that has one at each corner of its cells alone, 0 <= i <=
+    /// cells_u, 0 <= j <= cells_v; closed directions wrap and a pole is the same node all along.
     [[nodiscard]] Index node_at(Index i, Index j) const { return points_[j * (recipe_.cells_u + 1) + i]; }
     /// Distinct lattice lines across u and across v: a closed direction has no last one.
     [[nodiscard]] Index lines_u() const { return recipe_.cells_u + (recipe_.closed_u ? 0 : 1); }

@@ -9,8 +9,9 @@
 
 namespace funicular {
 
-/// The points of the unit (u, v) square that a pattern may place nodes on, a whole number of them to a cell, and
-/// what it lays between them. Closed directions wrap and poles are one node, so that a pattern never has to know.
+/// The points of the unit (u, v) square that a pattern may place nodes on, a whole number of them to a cell,
+/// and what it lays between them. Closed directions wrap and poles are one node, so that a pattern never has
+/// to know.
 class PatternGrid {
 public:
     PatternGrid(const LatticeRecipe &recipe, Index points_per_cell_u, Index points_per_cell_v);
@@ -42,7 +43,9 @@ public:
     void add_member(Point a, Point b);
     /// Corners that do not exist, and those that a pole makes one, are left out; nothing of fewer than three.
     void add_panel(std::initializer_list<Point> around) { add_panel(around.begin(), around.end()); }
-    void add_panel(const std::vector<Point> &around) { add_panel(around.data(), around.data() + around.size()); }
+    void add_panel(const std::vector<Point> &around) {
+        add_panel(around.data(), around.data() + around.size());
+    }
 
     /// Nodes in a row or column, in order.
     [[nodiscard]] std::vector<Index> row(Index q) const;

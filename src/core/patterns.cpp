@@ -53,7 +53,8 @@ void lay_quads(PatternGrid &grid) {
     lay_cells(grid);
 }
 
-/// Quads whose cells are split from their first corner, or from their second. A triangle at a pole stays whole.
+/// Quads whose cells are split from their first corner, or from their second. A triangle at a pole stays
+/// whole.
 template <class IsOther>
 void lay_split_quads(PatternGrid &grid, IsOther is_other) {
     place_every_point(grid);
@@ -163,7 +164,8 @@ void lay_triangles(PatternGrid &grid) {
             }
     const bool open = !grid.closed_u();
     for (Index q = 0; q < grid.last_v(); ++q) {
-        // Each node of the row without nodes of its own on the sides leads to the two beside it in the other row.
+        // Each node of the row without nodes of its own on the sides leads to the two beside it in the other
+        // row.
         const Index even = q % 2 == 0 ? q : q + 1;
         const Index odd = q % 2 == 0 ? q + 1 : q;
         const auto add = [&grid, even, odd](Point apex, Index base, Index base_end) {
@@ -246,12 +248,8 @@ void lay_kagome(PatternGrid &grid) {
         // Of a hexagon that reaches over a side only what is inside is left.
         const Index first = first_apex(q) - 2;
         for (Index p = first; grid.closed_u() ? p < first + grid.last_u() : p <= grid.last_u() + 1; p += 4)
-            grid.add_panel({{p - 1, q - 1},
-                            {p + 1, q - 1},
-                            {p + 2, q},
-                            {p + 1, q + 1},
-                            {p - 1, q + 1},
-                            {p - 2, q}});
+            grid.add_panel(
+                {{p - 1, q - 1}, {p + 1, q - 1}, {p + 2, q}, {p + 1, q + 1}, {p - 1, q + 1}, {p - 2, q}});
         if (!grid.closed_u())
             for (const Index p : {0, grid.last_u()})
                 grid.add_member({p, q - 1}, {p, q + 1});

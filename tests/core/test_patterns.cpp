@@ -56,14 +56,19 @@ bool is_ribs(const std::string &pattern) {
 
 class Patterns : public testing::TestWithParam<std::string> {
 protected:
-    /// Calls `check` with lattices of odd and of even counts on every topology that the pattern can be laid on.
+    /// Calls `check` with lattices of odd and of even counts on every topology that the pattern can be laid
+    /// on.
     template <class Check>
     void on_every_topology(const Check &check) const {
         for (const Topology &topology : topologies)
             for (const auto &[u, v] : {std::pair{6, 4}, std::pair{5, 3}, std::pair{3, 7}}) {
-                LatticeRecipe recipe{pattern_from_name(GetParam()), u, v, topology.closed_u, topology.closed_v,
+                LatticeRecipe recipe{pattern_from_name(GetParam()),
+                                     u,
+                                     v,
+                                     topology.closed_u,
+                                     topology.closed_v,
                                      topology.poles};
-                SCOPED_TRACE(topology.name + (" " + std::to_string(u) + " x " + std::to_string(v)));
+                SCOPED_TRACE(testing::Message() << topology.name << ' ' << u << " x " << v);
                 if (is_ribs(GetParam()) && !topology.poles.empty() &&
                     (GetParam() == "ribs_u") == (topology.poles[0] >= Side::v_min)) {
                     expect_invalid([&] { Lattice{recipe}; }, {"pattern", "pole", "other direction"});
@@ -170,9 +175,9 @@ TEST_P(Patterns, CoverTheSheetOnce) {
 
 TEST_P(Patterns, HaveTheirValencesInside) {
     const std::map<std::string, std::set<int>> valences{
-        {"quad", {4}},    {"diagonal", {6}}, {"other_diagonal", {6}}, {"alternating", {4, 8}},
-        {"crossed", {8}}, {"centred", {4, 8}}, {"diagrid", {4}},      {"triangle", {6}},
-        {"hexagon", {3}}, {"kagome", {4}},   {"ribs_u", {2}},         {"ribs_v", {2}}};
+        {"quad", {4}},    {"diagonal", {6}},   {"other_diagonal", {6}}, {"alternating", {4, 8}},
+        {"crossed", {8}}, {"centred", {4, 8}}, {"diagrid", {4}},        {"triangle", {6}},
+        {"hexagon", {3}}, {"kagome", {4}},     {"ribs_u", {2}},         {"ribs_v", {2}}};
     const Lattice lattice({pattern_from_name(GetParam()), 6, 8, false, false, {}});
     std::map<Index, int> valence;
     for (const auto &[a, b] : lattice.members()) {
@@ -194,9 +199,9 @@ TEST_P(Patterns, AreLaidOnASheetWithMembersOfTheStep) {
     const auto net = flat_sheet(6 * along_u, 8 * along_v, 1, GetParam().c_str());
     EXPECT_EQ(net->lattice()->recipe().cells_u, 6);
     EXPECT_EQ(net->lattice()->recipe().cells_v, 8);
-    const bool has_diagonals = std::set<std::string>{"diagonal", "other_diagonal", "alternating", "crossed",
-                                                     "centred"}
-                                   .contains(GetParam());
+    const bool has_diagonals =
+        std::set<std::string>{"diagonal", "other_diagonal", "alternating", "crossed", "centred"}.contains(
+            GetParam());
     const std::vector<Index> border = net->border();
     const auto is_inside = [&border](Index node) {
         return !std::binary_search(border.begin(), border.end(), node);

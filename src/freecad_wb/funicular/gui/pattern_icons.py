@@ -28,7 +28,9 @@ def pattern_icon(pattern):
     pen.setCapStyle(QtCore.Qt.RoundCap)
     painter.setPen(pen)
     extent = PIXELS - 2 * MARGIN
-    points = [QtCore.QPointF(MARGIN + extent * u, MARGIN + extent * (1.0 - v)) for u, v in lattice.uv.tolist()]
+    points = [
+        QtCore.QPointF(MARGIN + extent * u, MARGIN + extent * (1.0 - v)) for u, v in lattice.uv.tolist()
+    ]
     for a, b in lattice.members.tolist():
         painter.drawLine(points[a], points[b])
     if name == "centred":
