@@ -128,8 +128,8 @@ def _refined(table, point, measure, knots):
 def count_cells(chart, step_u, step_v, pattern="quad"):
     """Cells along u and along v: the mean length of the isolines over that of a cell [mm], rounded.
 
-    step_u, step_v: lengths of members along u and along v, of which the pattern makes its cells. At least 1, 2
-    between two poles and 3 around a closed direction. Raises InvalidInput naming the step.
+    step_u, step_v: lengths of members along u and along v, of which the pattern makes its cells. At least 1,
+    2 between two poles and 3 around a closed direction. Raises InvalidInput naming the step.
     """
     cells = []
     along_u, along_v = fn.cell_extent(pattern)
