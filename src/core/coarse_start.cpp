@@ -126,6 +126,7 @@ Iteration::Move CoarseToFine::move(Points &x, Equilibrium &equilibrium) {
             x = start_;
             equilibrium.evaluate(x);
             newton_.emplace(equilibrium);
+            has_begun_anew_ = true;
             return Move::made;
         }
         return newton_->move(x, equilibrium);
@@ -142,6 +143,7 @@ Iteration::Move CoarseToFine::move(Points &x, Equilibrium &equilibrium) {
     if (progress == Progress::lost) {
         // The scene's own net may still have an equilibrium, and says why if it has none.
         level_ = 0;
+        has_begun_anew_ = true;
         stage_.reset();
         return Move::made;
     }

@@ -23,7 +23,11 @@ public:
     [[nodiscard]] double position_error(const Points &x, Equilibrium &equilibrium, const Goal &goal) override;
     /// Moves a coarser net until all have come to rest, and the scene's own from there.
     Move move(Points &x, Equilibrium &equilibrium) override;
-    [[nodiscard]] bool restart() override { return level_ == 0 && newton_->restart(); }
+    [[nodiscard]] bool restart() override {
+        has_begun_anew_ = false;
+        return level_ == 0 && newton_->restart();
+    }
+    [[nodiscard]] bool has_begun_anew() const override { return has_begun_anew_; }
 
 private:
     /// A coarser net on its way to equilibrium.
@@ -49,6 +53,7 @@ private:
     /// To go back to if what coarser nets led to comes to nothing.
     Points start_;
     int steps_ = 0;
+    bool has_begun_anew_ = false;
 };
 
 } // namespace funicular

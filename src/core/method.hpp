@@ -37,6 +37,8 @@ public:
     /// Begins anew, with another scene on the same net and supports, and keeps what is still of use.
     /// \returns whether it can
     [[nodiscard]] virtual bool restart() { return false; }
+    /// Whether it went back to the start shape after what came of it at first led to nothing.
+    [[nodiscard]] virtual bool has_begun_anew() const { return false; }
 };
 
 } // namespace funicular

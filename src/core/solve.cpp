@@ -285,11 +285,13 @@ bool Solver::look_for_limit() {
 bool Solver::end_converged() {
     if (!levels_.empty() && count_pushing(x_, *equilibrium_) > 0) {
         levels_ = {};
-        x_ = start_;
-        equilibrium_->evaluate(x_);
-        use(Method::newton);
-        is_measured_ = false;
-        return measure();
+        if (!iteration_->has_begun_anew()) {
+            x_ = start_;
+            equilibrium_->evaluate(x_);
+            use(Method::newton);
+            is_measured_ = false;
+            return measure();
+        }
     }
     instability_ = find_instability(x_, *equilibrium_);
     if (!instability_ || !instability_->way_out)

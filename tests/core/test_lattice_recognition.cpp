@@ -92,6 +92,12 @@ TEST(RecognisedLattice, StandsInTheNumberingOfTheNet) {
     }
 }
 
+TEST(RecognisedLattice, OfAStripOfOneCellInAnyNumbering) {
+    for (const auto &strip : {flat_sheet(10, 0.5, 0.5), flat_sheet(0.5, 10, 0.5)})
+        for (const unsigned seed : {1U, 2U, 3U, 4U})
+            EXPECT_TRUE(recognised_lattice(*shuffled(strip, seed)));
+}
+
 TEST(RecognisedLattice, DoesNotLookAtPanels) {
     Parts parts(*shuffled(sheet(), 4));
     parts.panels.erase(parts.panels.begin() + 20);

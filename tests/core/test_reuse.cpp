@@ -107,6 +107,34 @@ TEST(Automatic, MovesALargeNetSeldom) {
               2 * newton.costs.at("covering_weight").evaluations);
 }
 
+TEST(Automatic, DoesNotLeaveAPushingShapeThatItFoundFromTheStartItself) {
+    // Two corners in one place: what the coarser nets lead to comes to nothing, and the scene's own net is
+    // solved from its start shape. That again would be the same way, and beyond the limit of iterations.
+    const Index cells_u = 17;
+    const Index cells_v = 34;
+    LatticeRecipe recipe;
+    recipe.cells_u = cells_u;
+    recipe.cells_v = cells_v;
+    const auto lattice = std::make_shared<const Lattice>(recipe);
+    Points nodes = Points::Zero(lattice->uv().rows(), 3);
+    nodes.leftCols(2) = 10 * lattice->uv();
+    for (const Index corner : {lattice->node_at(0, 0), lattice->node_at(cells_u, cells_v)})
+        nodes.row(corner) << 0, 0, 3;
+    const auto net = make_net(lattice, nodes);
+    std::vector<Index> held = lattice->sides().at(Side::u_min);
+    const auto &other = lattice->sides().at(Side::u_max);
+    held.insert(held.end(), other.begin(), other.end());
+    const double load = 10 * standard_gravity * net->source_lengths().sum();
+    const std::vector<EffectDescription> effects{
+        AxialStiffness{.stiffness = Eigen::VectorXd::Constant(1, 500 * load), .compression_only = false},
+        MemberWeight{10}};
+    const auto scene =
+        std::make_shared<const Scene>(net, std::vector<Support>{{.kind = SupportKind::fixed, .nodes = held}},
+                                      effects, Eigen::VectorXd(1.1 * net->source_lengths()));
+    const auto result = solve(scene);
+    EXPECT_EQ(result.status, Status::converged) << result.message;
+}
+
 TEST(PositionError, IsThatOfADenseSolution) {
     for (const Index cells : {12, 18}) { // factorised, and by multigrid
         Roof roof;
