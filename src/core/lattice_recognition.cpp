@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -76,18 +76,19 @@ Index first_corner(const Points &nodes, const Neighbours &neighbours) {
 /// The net's nodes row by row, from one corner on.
 class Rows {
 public:
-    Rows(const Neighbours &neighbours, Index node_count) : of_net_(neighbours), seen_(node_count, false) {}
+    Rows(const Neighbours &neighbours, Index node_count)
+        : neighbours_(neighbours), seen_(node_count, false) {}
 
     /// The border from a corner through the node beside it to the next corner.
     bool begin(Index corner, Index beside) {
         take(corner);
         for (Index node = beside; node != nowhere;) {
             take(node);
-            if (of_net_.get().count(node) == 2)
+            if (neighbours_.count(node) == 2)
                 break;
             Index next = nowhere;
-            for (const auto &arm : of_net_.get().of(node)) {
-                if (seen_[arm.node] || of_net_.get().count(arm.node) == 4)
+            for (const auto &arm : neighbours_.of(node)) {
+                if (seen_[arm.node] || neighbours_.count(arm.node) == 4)
                     continue;
                 if (next != nowhere) // the long side of a strip of one cell
                     return false;
@@ -96,14 +97,14 @@ public:
             node = next;
         }
         width_ = static_cast<Index>(nodes_.size());
-        return of_net_.get().count(nodes_.back()) == 2;
+        return neighbours_.count(nodes_.back()) == 2;
     }
     /// The row behind the last one: what each of its nodes leads to and was not met before.
     bool add_next() {
         const auto before = static_cast<Index>(nodes_.size()) - width_;
         for (Index k = 0; k < width_; ++k) {
             Index next = nowhere;
-            for (const auto &arm : of_net_.get().of(nodes_[before + k])) {
+            for (const auto &arm : neighbours_.of(nodes_[before + k])) {
                 if (seen_[arm.node])
                     continue;
                 if (next != nowhere)
@@ -131,7 +132,7 @@ private:
         seen_[node] = true;
         nodes_.push_back(node);
     }
-    std::reference_wrapper<const Neighbours> of_net_;
+    const Neighbours &neighbours_;
     std::vector<bool> seen_;
     std::vector<Index> nodes_;
     Index width_ = 0;
@@ -165,13 +166,10 @@ std::shared_ptr<const Lattice> recognised_lattice(const Net &net) {
     if (is_before(net.nodes(), along, across))
         std::swap(along, across);
 
-    Rows rows(neighbours, net.node_count());
-    if (!rows.begin(corner, along)) {
-        rows = Rows(neighbours, net.node_count());
-        if (!rows.begin(corner, across))
-            return nullptr;
-    }
-    const Index width = rows.width();
+    std::optional<Rows> rows(std::in_place, neighbours, net.node_count());
+    if (!rows->begin(corner, along) && !rows.emplace(neighbours, net.node_count()).begin(corner, across))
+        return nullptr;
+    const Index width = rows->width();
     if (net.node_count() % width != 0)
         return nullptr;
     const Index height = net.node_count() / width;
@@ -179,17 +177,17 @@ std::shared_ptr<const Lattice> recognised_lattice(const Net &net) {
         net.member_count() != 2 * width * height - width - height)
         return nullptr;
     for (Index row = 1; row < height; ++row)
-        if (!rows.add_next())
+        if (!rows->add_next())
             return nullptr;
 
     LatticeRecipe recipe;
     recipe.cells_u = width - 1;
     recipe.cells_v = height - 1;
     const Lattice lattice(std::move(recipe));
-    auto members = members_of(lattice, rows.nodes(), neighbours);
+    auto members = members_of(lattice, rows->nodes(), neighbours);
     if (members.empty())
         return nullptr;
-    return std::make_shared<const Lattice>(lattice.renumbered(rows.nodes(), std::move(members)));
+    return std::make_shared<const Lattice>(lattice.renumbered(rows->nodes(), std::move(members)));
 }
 
 } // namespace funicular

@@ -7,19 +7,14 @@
 namespace funicular {
 
 PatternGrid::PatternGrid(const LatticeRecipe &recipe, Index points_per_cell_u, Index points_per_cell_v)
-    : points(static_cast<std::size_t>(recipe.cells_u * points_per_cell_u + 1) *
-                 (recipe.cells_v * points_per_cell_v + 1),
-             -1),
+    : points_(static_cast<std::size_t>(recipe.cells_u * points_per_cell_u + 1) *
+                  (recipe.cells_v * points_per_cell_v + 1),
+              -1),
       recipe_(recipe), last_u_(recipe.cells_u * points_per_cell_u),
       last_v_(recipe.cells_v * points_per_cell_v) {}
 
 bool PatternGrid::has_pole(Side side) const {
     return std::find(recipe_.poles.begin(), recipe_.poles.end(), side) != recipe_.poles.end();
-}
-
-bool PatternGrid::is_pole(Index p, Index q) const {
-    return (q == 0 && has_pole(Side::v_min)) || (q == last_v_ && has_pole(Side::v_max)) ||
-           (p == 0 && has_pole(Side::u_min)) || (p == last_u_ && has_pole(Side::u_max));
 }
 
 PatternGrid::Point PatternGrid::canonical(Index p, Index q) const {
@@ -29,16 +24,16 @@ PatternGrid::Point PatternGrid::canonical(Index p, Index q) const {
         q = (q % last_v_ + last_v_) % last_v_;
     if (p < 0 || p > last_u_ || q < 0 || q > last_v_)
         return {-1, -1};
-    if ((q == 0 && has_pole(Side::v_min)) || (q == last_v_ && has_pole(Side::v_max)))
+    if (is_pole_of_v(q))
         p = 0;
-    if ((p == 0 && has_pole(Side::u_min)) || (p == last_u_ && has_pole(Side::u_max)))
+    if (is_pole_of_u(p))
         q = 0;
     return {p, q};
 }
 
 void PatternGrid::place(Index p, Index q, double shift_v) {
     const auto [at_p, at_q] = canonical(p, q);
-    Index &node = points[at_q * (last_u_ + 1) + at_p];
+    Index &node = points_[at_q * (last_u_ + 1) + at_p];
     if (node >= 0)
         return;
     node = static_cast<Index>(uv.size());
@@ -48,7 +43,7 @@ void PatternGrid::place(Index p, Index q, double shift_v) {
 
 Index PatternGrid::node(Index p, Index q) const {
     const auto [at_p, at_q] = canonical(p, q);
-    return at_p < 0 ? -1 : points[at_q * (last_u_ + 1) + at_p];
+    return at_p < 0 ? -1 : points_[at_q * (last_u_ + 1) + at_p];
 }
 
 void PatternGrid::add_member(Point a, Point b) {

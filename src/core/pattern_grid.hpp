@@ -24,11 +24,7 @@ public:
     [[nodiscard]] Index rows() const { return closed_v() ? last_v_ : last_v_ + 1; }
     [[nodiscard]] bool closed_u() const { return recipe_.closed_u; }
     [[nodiscard]] bool closed_v() const { return recipe_.closed_v; }
-    /// Whether a point is on a side of the square that is not closed.
-    [[nodiscard]] bool is_on_side(Index p, Index q) const {
-        return (!closed_u() && (p == 0 || p == last_u_)) || (!closed_v() && (q == 0 || q == last_v_));
-    }
-    [[nodiscard]] bool is_pole(Index p, Index q) const;
+    [[nodiscard]] bool is_pole(Index p, Index q) const { return is_pole_of_v(q) || is_pole_of_u(p); }
 
     /// Places a node at a point, unless there is one: once at a pole.
     /// \param shift_v how far off the point, in rows
@@ -57,15 +53,21 @@ public:
     std::vector<std::array<double, 2>> uv;
     std::vector<Member> members;
     Panels panels;
-    /// Node of each point, row by row, last column and row included; -1 where there is none.
-    std::vector<Index> points;
 
 private:
     void add_panel(const Point *first, const Point *last);
     [[nodiscard]] bool has_pole(Side side) const;
+    [[nodiscard]] bool is_pole_of_u(Index p) const {
+        return (p == 0 && has_pole(Side::u_min)) || (p == last_u_ && has_pole(Side::u_max));
+    }
+    [[nodiscard]] bool is_pole_of_v(Index q) const {
+        return (q == 0 && has_pole(Side::v_min)) || (q == last_v_ && has_pole(Side::v_max));
+    }
     /// The point that stands for this one where directions close and in a pole.
     [[nodiscard]] Point canonical(Index p, Index q) const;
 
+    /// Node of each point, row by row; -1 where there is none, and where another point stands for this one.
+    std::vector<Index> points_;
     const LatticeRecipe &recipe_;
     Index last_u_, last_v_;
 };
