@@ -25,10 +25,13 @@ constexpr double most_excused_residual = 1e-3;
 // Supports are where they should be, and reactions balance the loads, to this part of the net's size and of
 // the loads, or to the tolerance where that is coarser.
 constexpr double small = 1e-6;
+// What the members would pull with at this strain is the least measure of forces in a net without loads.
+constexpr double least_strain = 1e-6;
 
 struct MemberForces {
     std::vector<double> forces;    ///< N of the built structure
     std::vector<double> stiffness; ///< k
+    double mean_at_least_strain = 0;
 };
 
 /// Straight from the law.
@@ -49,6 +52,7 @@ MemberForces member_forces(const Scene &scene, const Points &nodes) {
         const double stretch = std::hypot(span.x(), span.y(), span.z()) - rest;
         members.forces[e] = axial->compression_only && stretch < 0 ? 0 : -k * stretch;
         members.stiffness[e] = k;
+        members.mean_at_least_strain += least_strain * k * rest / net.member_count();
     }
     return members;
 }
@@ -185,10 +189,10 @@ Certificate certify(const Scene &scene, const Points &centred_nodes, const Point
     double force_sum = 0;
     for (const double force : forces)
         force_sum += std::abs(force);
-    // Forces of unstretched members are rounding, which is no measure of itself.
-    const double unit = movable_load > 0 ? movable_load / movable
-                                         : std::max(force_sum / net.member_count(),
-                                                    rounding.maxCoeff() / most_excused_residual);
+    const double unit = movable_load > 0
+                            ? movable_load / movable
+                            : std::max({force_sum / net.member_count(), members.mean_at_least_strain,
+                                        rounding.maxCoeff() / most_excused_residual});
 
     for (Index i = 0; i < n; ++i) {
         const Vector3 rest = unbalanced.row(i).transpose();
@@ -260,7 +264,7 @@ std::string Certificate::summary() const {
             "; " + std::to_string(slack_members.size()) +
             (slack_members.size() == 1 ? " member is slack and carries" : " members are slack and carry") +
             " nothing";
-    return text + ".";
+    return text + ". The largest residual is " + to_text(max_residual) + " of the mean nodal load.";
 }
 
 } // namespace funicular

@@ -26,7 +26,8 @@ struct Certificate {
     /// Members that carry nothing; without weight of their own, they can be left out.
     std::vector<Index> slack_members;
     /// max |r_i| / mean load on the nodes that can move; infinite where a force is not a number. Where those
-    /// bear no load, the mean force of the members stands for it, or what force can be told from rounding.
+    /// bear no load, the mean force of the members stands for it, or what they would pull with at a strain of
+    /// 1e-6 or can be told from rounding, if that is more.
     double max_residual = 0;
     /// The same of the nodes where it is beyond the tolerance and rounding; zero if there are none.
     double unexcused_residual = 0;

@@ -15,6 +15,9 @@ namespace {
 // the certificate excuses, which rounds in its own way, so that it need not deny what is called converged.
 constexpr double units_in_last_place = 4;
 constexpr double most_excused_residual = 5e-4;
+// Forces in a net without loads are measured by what its members pull, or would at this strain: those that
+// have gone slack pull with nothing, which is no measure.
+constexpr double least_strain = 1e-6;
 
 } // namespace
 
@@ -69,7 +72,10 @@ void Equilibrium::measure_residual(const Points &x) {
     if (mean_nodal_load_ == 0) {
         Eigen::VectorXd tensions;
         scene_->axial().tensions(x, tensions);
-        mean_nodal_load_ = tensions.cwiseAbs().mean();
+        const AxialForces &axial = scene_->axial();
+        mean_nodal_load_ =
+            std::max(tensions.cwiseAbs().mean(),
+                     least_strain * axial.stiffness().cwiseProduct(axial.rest_lengths()).mean());
         // Of unstretched members it is rounding, which is no measure of itself.
         unit = std::max(mean_nodal_load_, rounding * nodal_stiffness_.maxCoeff() / most_excused_residual);
     }

@@ -35,8 +35,8 @@ public:
     [[nodiscard]] const Points &loads() const { return loads_; }
     /// r_i = P_i (sum of forces on node i), as components along the free directions.
     [[nodiscard]] const Eigen::VectorXd &residual() const { return residual_; }
-    /// Mean of |load| over the nodes that can move; of the members' pull if they bear none, so that a
-    /// residual can be relative.
+    /// Mean of |load| over the nodes that can move; of the members' pull if they bear none, or of
+    /// that at a strain of 1e-6 if it is more, so that a residual can be relative.
     [[nodiscard]] double mean_nodal_load() const { return mean_nodal_load_; }
     /// max_i |r_i| / mean nodal load; without loads, over what pull can be told from rounding, if that is
     /// more.

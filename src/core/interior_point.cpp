@@ -12,8 +12,15 @@ namespace funicular {
 namespace {
 
 // Far above what members will carry in the end, and close to taut: from there the path is short.
-constexpr double first_density = 30;
+constexpr double first_density = 300;
 constexpr double first_slack = 0.01;
+// Where it is not so short, as from a flat sheet that will stand on its corners, only small parts of the
+// steps can be taken from early on, and it would be crept along. Then it is begun so much farther from its
+// end.
+constexpr double short_length = 0.2;
+constexpr int most_short_steps = 3;
+constexpr double farther = 10;
+constexpr int most_beginnings = 4;
 // A shape as near as this has most of its slack members right: that is what Newton's method needs, and it is
 // left when it does not arrive in so many steps.
 constexpr double residual_for_newton = 0.5;
@@ -81,10 +88,13 @@ void InteriorPoint::begin_path(const Points &x, const Equilibrium &equilibrium) 
     const double size = scene.net().size() / scene.scale().length;
     typical_density_ = whole_load / size / std::sqrt(member_count);
     typical_product_ = typical_density_ * rest.squaredNorm() / member_count;
-    densities_ = (0.5 * most_of_stiffness * axial.stiffness()).cwiseMin(first_density * typical_density_);
+    densities_ = (0.5 * most_of_stiffness * axial.stiffness())
+                     .cwiseMin(first_density * std::pow(farther, beginnings_) * typical_density_);
+    ++beginnings_;
     slacks_ = first_slack * rest.array().square();
     start_ = x;
     steps_ = 0;
+    short_steps_ = 0;
     last_motion_.reset();
     phase_ = Phase::path;
 }
@@ -98,6 +108,7 @@ void InteriorPoint::use_newton(Phase phase, const Equilibrium &equilibrium) {
 
 bool InteriorPoint::restart() {
     phase_ = Phase::begun;
+    beginnings_ = 0;
     return true;
 }
 
@@ -274,6 +285,12 @@ bool InteriorPoint::follow_path(Points &x, Equilibrium &equilibrium) {
     x += part * step_.slack_length * step_.motion;
     slacks_ += part * step_.slack_length * step_.slacks;
     densities_ += part * step_.density_length * step_.densities;
+    const double length = std::min(step_.slack_length, step_.density_length);
+    short_steps_ = length < short_length ? short_steps_ + 1 : 0;
+    if (short_steps_ == most_short_steps && beginnings_ < most_beginnings) {
+        x = start_;
+        begin_path(x, equilibrium);
+    }
     equilibrium.evaluate(x);
     return x.cwiseAbs().maxCoeff() < most_growth;
 }

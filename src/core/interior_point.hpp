@@ -82,6 +82,9 @@ private:
     std::optional<double> last_motion_;
     Goal goal_;
     int steps_ = 0;
+    /// How often the path was begun.
+    int beginnings_ = 0;
+    int short_steps_ = 0;
 
     Eigen::VectorXd densities_, slacks_; ///< q, s of each member
     double typical_density_ = 1;

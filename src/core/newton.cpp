@@ -31,7 +31,7 @@ constexpr int most_direct_steps = 40;
 constexpr double softest_stiffness_per_load = 10;
 constexpr double first_stage_ratio = 10;
 // In that measure of stiffness.
-constexpr double stiffness_for_exact_steps = 3;
+constexpr double stiffness_for_exact_steps = 1.5;
 constexpr double largest_stage_ratio = 1e3;
 constexpr double residual_of_stage = 1e-2;
 // In the scene's own units, in which the net has a size of about one.

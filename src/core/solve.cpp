@@ -27,6 +27,8 @@ constexpr long most_steps_after_newton = 100'000;
 constexpr long most_steps_to_halve = 2000;
 constexpr const char *allow_more = "Allow more, or ask for less accuracy.";
 constexpr const char *try_else = "Start from another shape, or ask for less accuracy.";
+// Farther from rest than this, finding the shape on coarser nets first costs less than going on from it.
+constexpr double residual_of_far_start = 0.5;
 constexpr int most_departures = 8;
 constexpr double seconds_between_reports = 0.01;
 constexpr std::size_t longest_history = 4096;
@@ -88,6 +90,7 @@ void Solver::begin(const Points &local_start, bool is_cold) {
     start_ = x_ = scene_->on_supports(local_start);
     extent_ = std::max(x_.cwiseAbs().maxCoeff(), scene_->net().size() / scene_->scale().length);
     equilibrium_->evaluate(x_);
+    rest_without_loads();
     report_ = {};
     history_.clear();
     history_stride_ = 1;
@@ -110,7 +113,8 @@ void Solver::begin(const Points &local_start, bool is_cold) {
         of_path = std::exchange(levels_, {});
         iteration_.reset();
     }
-    if (is_cold && !levels_.empty()) {
+    const bool is_far = is_cold || equilibrium_->relative_residual() > residual_of_far_start;
+    if (is_far && !levels_.empty()) {
         method_ = Method::newton;
         iteration_ = std::make_unique<CoarseToFine>(*equilibrium_, levels_);
     } else if (has_path_) {
@@ -121,6 +125,20 @@ void Solver::begin(const Points &local_start, bool is_cold) {
     } else if (!iteration_ || !iteration_->restart())
         use(options_.method == Method::relaxation ? Method::relaxation : Method::newton);
     publish();
+}
+
+/// Slack members that bear nothing leave the shape open. Once the last load is taken off, the net lies down
+/// on its source rather than stopping anywhere on the way there.
+void Solver::rest_without_loads() {
+    if (!scene_->axial().is_compression_only() || !equilibrium_->loads().isZero(0) ||
+        equilibrium_->relative_residual() == 0)
+        return;
+    const Points source = scene_->on_supports(scene_->scale().to_local(scene_->net().nodes()));
+    equilibrium_->evaluate(source);
+    if (equilibrium_->significant_residual() <= options_.tolerance)
+        start_ = x_ = source;
+    else
+        equilibrium_->evaluate(x_);
 }
 
 void Solver::use(Method method) {

@@ -50,6 +50,7 @@ public:
 
 private:
     void begin(const Points &local_start, bool is_cold);
+    void rest_without_loads();
     void use(Method method);
     void publish();
     bool told(const Report &report);

@@ -169,7 +169,7 @@ TEST(Effects, RefuseWhatCannotBeMeant) {
         AxialForces(*net, {stiffness}, lengths, unit);
     };
     expect_invalid([&] { axial(Eigen::VectorXd::Constant(1, 0), rest); },
-                   {"AxialStiffness", "stiffness[0]", "positive"});
+                   {"AxialStiffness", "stiffness must be positive"});
     expect_invalid([&] { axial(Eigen::VectorXd::Constant(5, 1), rest); },
                    {"AxialStiffness", "5 values", "12 members"});
     expect_invalid([&] { axial(Eigen::VectorXd::Constant(1, 1), Eigen::VectorXd::Zero(12)); },

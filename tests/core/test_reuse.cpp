@@ -227,6 +227,29 @@ TEST(Replace, GoesOnFromTheShapeAndWhatWasMadeForIt) {
     EXPECT_LE(solver.result().iterations, 4);
 }
 
+TEST(Replace, ByWhatIsFarAwayBeginsOnCoarserNets) {
+    Roof roof;
+    const auto begins_on_coarser_nets = [&roof](const Roof &other) {
+        Solver solver(roof.scene());
+        solver.advance();
+        const auto scene = other.scene();
+        solver.replace(scene);
+        solver.advance();
+        EXPECT_EQ(solver.result().status, Status::converged);
+        EXPECT_LE(distance(solver.result().nodes, solve(scene).nodes), 2e-3);
+        // While they are solved, nothing is known of how far the scene's own net is from rest.
+        return std::isinf(solver.result().history.front().position_error);
+    };
+    Roof other = roof;
+    other.weights = 1.05;
+    EXPECT_FALSE(begins_on_coarser_nets(other));
+    other.weights = 3;
+    EXPECT_TRUE(begins_on_coarser_nets(other));
+    other = roof;
+    other.stiffness /= 10;
+    EXPECT_TRUE(begins_on_coarser_nets(other));
+}
+
 TEST(Replace, ManyTimesInARowFinishedOrNot) {
     Roof roof;
     Solver solver(roof.scene(), to_rounding(roof.scene()));

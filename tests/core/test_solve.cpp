@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "certificate.hpp"
 #include "equilibrium.hpp"
 #include "scenes.hpp"
 
@@ -214,6 +215,34 @@ TEST(Solve, WithoutLoadsATautNetIsAtRest) {
     const auto result = solved(taut);
     ASSERT_EQ(result.status, Status::converged) << result.message;
     EXPECT_LT(result.member_forces.maxCoeff(), 0);
+}
+
+TEST(Solve, ANetWhoseLastLoadIsTakenOffLiesDownOnItsSource) {
+    const auto sheet = flat_sheet(10, 10, 0.5);
+    const auto with = [&sheet](double weight, const std::vector<Index> &held, double ea) {
+        return std::make_shared<const Scene>(
+            sheet, std::vector<Support>{{.kind = SupportKind::fixed, .nodes = held}},
+            std::vector<EffectDescription>{AxialStiffness{Eigen::VectorXd::Constant(1, ea)},
+                                           MemberWeight{weight}});
+    };
+    for (const double ea : {1e4, 1e7})
+        for (const auto &held : {sheet->lattice()->corners(), sheet->border()})
+            for (const Method method : {Method::automatic, Method::newton, Method::relaxation}) {
+                SolveOptions options;
+                options.start = solve(with(25, held, ea)).nodes;
+                options.method = method;
+                const auto unloaded = with(0, held, ea);
+                const auto result = solve(unloaded, options);
+                EXPECT_EQ(result.status, Status::converged) << result.message;
+                EXPECT_LT(distance(result.nodes, sheet->nodes()), 1e-12);
+                const auto certificate = certify(*unloaded, result.centred_nodes, nullptr, 1e-6);
+                EXPECT_TRUE(certificate.in_equilibrium) << certificate.summary();
+                Solver solver(with(25, held, ea));
+                solver.advance();
+                solver.replace(unloaded);
+                EXPECT_TRUE(solver.advance());
+                EXPECT_EQ(solver.result().status, Status::converged);
+            }
 }
 
 TEST(Solve, StartsFromAGivenShapeBroughtOntoTheSupports) {

@@ -165,7 +165,7 @@ NET = ([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1], [1, 2]])
         (lambda net: fn.Scene(net, [fn.Fixed(0)], ["snow"]), ["effects[0]"]),
         (
             lambda net: fn.Scene(net, [fn.Fixed(0)], [fn.AxialStiffness(-1)]),
-            ["AxialStiffness", "stiffness[0]"],
+            ["AxialStiffness", "stiffness must be positive"],
         ),
         (lambda net: fn.Scene(net, [fn.Fixed(0)], [fn.AxialStiffness([1, 2, 3])]), ["3 values", "2 members"]),
         (lambda net: fn.Scene(net, [fn.Fixed(0)], [fn.AxialStiffness(1), fn.Snow(5)]), ["Snow", "no panels"]),

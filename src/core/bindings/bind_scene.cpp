@@ -167,8 +167,9 @@ compression_only: members that would be pulled carry nothing, T = max(0, k (l - 
                                })
         .def_readonly("compression_only", &AxialStiffness::compression_only)
         .def_readonly("per_spring", &AxialStiffness::per_spring);
-    bind_effect<MemberWeight>(module, "MemberWeight",
-                              R"(Weight of the members by their present length [kg/m] (section 3.3).)")
+    bind_effect<MemberWeight>(
+        module, "MemberWeight",
+        R"(Weight of the members by their present length [kg/m], one number for all (section 3.3).)")
         .def(py::init([](const py::object &weight) { return MemberWeight{number_from(weight, "weight")}; }),
              py::arg("weight"))
         .def_readonly("weight", &MemberWeight::per_length);

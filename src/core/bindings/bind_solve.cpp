@@ -134,11 +134,15 @@ void bind_solve(py::module_ &module) {
         .def_readonly("seconds", &Result::seconds)
         .def_property_readonly(
             "status", [](const Result &self) { return status_name(self.status); },
-            "converged, iteration_limit, time_limit, cancelled or no_equilibrium")
+            "converged, iteration_limit, time_limit, cancelled or no_equilibrium. The shape is an "
+            "equilibrium if "
+            "converged, else the last there was: after no_equilibrium that may be many times the net's size")
         .def_property_readonly(
             "method",
             [](const Result &self) { return self.method == Method::relaxation ? "relaxation" : "newton"; },
-            "The method that was used last: newton or relaxation")
+            "The method that was used last: newton, which includes the interior-point path and coarser nets "
+            "of auto, or "
+            "relaxation")
         .def_readonly("message", &Result::message, "Why it ended, and what to do if that is not convergence")
         .def_property_readonly("history", &history_of,
                                "One Report per iteration; of very many, evenly spaced ones")
@@ -242,17 +246,22 @@ that the result was solved to. Raises InvalidInput if the shape does not fit the
              }),
              py::arg("scene"), py::arg("accuracy") = 1e-3, py::arg("tolerance") = 1e-6,
              py::arg("method") = "auto", py::arg("start") = py::none())
-        .def("advance", &Solver::advance, py::arg("max_seconds"), py::call_guard<py::gil_scoped_release>(),
+        .def("advance", &Solver::advance, py::arg("max_seconds") = no_limit,
+             py::call_guard<py::gil_scoped_release>(),
              "Goes on for at most max_seconds, give or take an iteration. Returns whether the solve has "
-             "ended.")
+             "ended. Cancel by not calling it again; the shape can be gone on from at any time.")
         .def(
             "replace", [](Solver &self, const std::shared_ptr<Scene> &scene) { self.replace(scene); },
             py::arg("scene"), py::call_guard<py::gil_scoped_release>(),
-            "Goes on from the present shape with another scene of as many nodes.")
+            "Goes on from the present shape with another scene of as many nodes; where that is far from "
+            "rest, by way of "
+            "coarser nets.")
         .def(
             "result", [](const Solver &self) { return std::make_shared<Result>(self.result()); },
             py::call_guard<py::gil_scoped_release>(),
-            "What is known of the present shape; waits for an advance in another thread to return.")
+            "What is known of the present shape; waits for an advance in another thread to return. Before "
+            "the solve "
+            "has ended, status is iteration_limit and message says that it has not finished.")
         .def_property_readonly(
             "nodes",
             [](const Solver &self) {

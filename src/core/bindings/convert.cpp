@@ -107,11 +107,22 @@ Eigen::VectorXd numbers_from(const py::handle &value, const std::string &argumen
     return Eigen::Map<const Eigen::VectorXd>(array.data(), array.size());
 }
 
+namespace {
+
+/// Of an array, its beginning says what it is.
+std::string short_repr(const py::handle &value) {
+    constexpr std::size_t longest = 60;
+    const auto text = py::repr(value).cast<std::string>();
+    return text.size() <= longest ? text : text.substr(0, longest) + "…";
+}
+
+} // namespace
+
 double number_from(const py::handle &value, const std::string &argument) {
     const double number = PyFloat_AsDouble(value.ptr());
     if (PyErr_Occurred() != nullptr) {
         PyErr_Clear();
-        throw InvalidInput(argument + " must be a number, not " + py::repr(value).cast<std::string>());
+        throw InvalidInput(argument + " must be a number, not " + short_repr(value));
     }
     return number;
 }
@@ -121,7 +132,7 @@ long count_from(const py::handle &value, const std::string &argument) {
     const long count = index ? PyLong_AsLong(index.ptr()) : -1;
     if (PyErr_Occurred() != nullptr) {
         PyErr_Clear();
-        throw InvalidInput(argument + " must be a whole number, not " + py::repr(value).cast<std::string>());
+        throw InvalidInput(argument + " must be a whole number, not " + short_repr(value));
     }
     return count;
 }

@@ -19,8 +19,9 @@ AxialForces::AxialForces(const Net &net, const AxialStiffness &description,
                            " members");
     for (Index e = 0; e < given.size(); ++e)
         if (!(given[e] > 0) || !std::isfinite(given[e]))
-            throw InvalidInput("AxialStiffness: stiffness[" + std::to_string(e) +
-                               "] must be positive and finite, in " + (description.per_spring ? "N/m" : "N"));
+            throw InvalidInput("AxialStiffness: stiffness" +
+                               (given.size() == 1 ? "" : "[" + std::to_string(e) + "]") +
+                               " must be positive and finite, in " + (description.per_spring ? "N/m" : "N"));
     stiffness_.resize(member_count);
     for (Index e = 0; e < member_count; ++e) {
         const double value = given[given.size() == 1 ? 0 : e];
