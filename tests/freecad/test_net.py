@@ -72,6 +72,59 @@ def test_nodes_keep_the_pattern_that_they_were_sampled_in(doc, net):
     assert net_of(net).lattice.pattern == "quad"
 
 
+def test_a_count_takes_the_place_of_a_step(doc, net):
+    net.CountU, net.CountV = 5, 3
+    assert recompute(doc) == {}
+    assert (net.CellsU, net.CellsV, net.NodeCount) == (5, 3, 24)
+    net.CountV = 0
+    assert recompute(doc) == {}
+    assert (net.CellsU, net.CellsV) == (5, 6)
+    net.CountU = -1
+    recompute(doc)
+    assert_refused(net, "CountU is -1 cells: give 0 (none) or more")
+
+
+def test_a_turned_pattern_runs_along_the_other_direction(doc, net):
+    net.Pattern = "Ribs u"
+    assert recompute(doc) == {}
+    lengthwise = net.Shape
+    net.SwapUV = True
+    assert recompute(doc) == {}
+    across = net.Shape
+    direction = {id(shape): shape.Edges[0].tangentAt(0.0) for shape in (lengthwise, across)}
+    assert abs(direction[id(lengthwise)].dot(direction[id(across)])) < 1e-9
+    assert (net.CellsU, net.CellsV) == (8, 6)
+    # What is read back is what was laid, also of a net that would be laid otherwise now.
+    net.SwapUV = False
+    again = net_of(net)
+    ends = again.nodes[again.members[0]]
+    assert abs((ends[1] - ends[0]) @ np.array(tuple(direction[id(lengthwise)]))) < 1e-9
+
+
+def test_spacing_in_the_parameter(doc, net):
+    # A face whose parameters are bunched: a B-spline with poles at 0, 1 and 10 m.
+    surface = Part.BSplineSurface()
+    poles = [[App.Vector(x, y, 0) for y in (0, 4000)] for x in (0, 1000, 10000)]
+    surface.buildFromPolesMultsKnots(poles, [3, 3], [2, 2], [0, 1], [0, 1], False, False, 2, 1)
+    source = doc.addObject("Part::Feature", "Bunched")
+    source.Shape = surface.toShape()
+    net.Source, net.CountU, net.CountV = (source, ["Face1"]), 4, 1
+    assert recompute(doc) == {}
+    assert sorted({round(node.x) for node in net.SourceNodes}) == [0, 2500, 5000, 7500, 10000]
+    net.Spacing = "Parameter"
+    assert recompute(doc) == {}
+    assert sorted({round(node.x) for node in net.SourceNodes}) == [0, 1000, 3000, 6000, 10000]
+
+
+def test_counts_that_the_pattern_forces_are_told(doc, dome):
+    net = make_net(doc, (dome, ["Face1"]), Pattern="Alternating", CountU=23, CountV=4)
+    assert recompute(doc) == {}
+    assert net.CellsU == 24 and "24 cells around the face along u instead of 23" in net.Remarks
+    net.CountU = net.CellsU
+    assert recompute(doc) == {}
+    assert net.Remarks == ""
+
+
 def test_a_net_follows_an_expression(doc, box, net):
     net.setExpression("StepU", "Box.Length / 5")
     doc.recompute()
@@ -263,7 +316,7 @@ class TestBadInput:
 
     def test_several_faces(self, doc, box, net):
         net.Source = (box, ["Face5", "Face6"])
-        self.refused(doc, net, "Source names 2 elements of Box (Face5, Face6)", "pick one")
+        self.refused(doc, net, "Face6 shares no edge with Face5", "pick faces that are neighbours")
 
     def test_an_object_with_several_faces(self, doc, box, net):
         net.Source = (box, [""])

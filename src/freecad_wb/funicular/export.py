@@ -6,6 +6,7 @@ import numpy as np
 import funicular as fn
 
 from .features.gridshell import refuse_tilt
+from .features.net import panels_of
 from .files import write_mesh
 
 
@@ -22,16 +23,7 @@ def lattice_of(shell):
     refuse_tilt(shell)
     place = shell.getGlobalPlacement().Matrix
     nodes = np.array([tuple(place.multVec(node)) for node in shell.NodePositions]) * 1e-3
-    return nodes, np.array(shell.Members).reshape(-1, 2), _panels(shell.Panels)
-
-
-def _panels(numbers):
-    panels, start = [], 0
-    while start < len(numbers):
-        end = start + 1 + numbers[start]
-        panels.append(tuple(numbers[start + 1 : end]))
-        start = end
-    return tuple(panels)
+    return nodes, np.array(shell.Members).reshape(-1, 2), panels_of(shell.Panels)
 
 
 def export_gridshell(shell, path):

@@ -25,10 +25,11 @@ FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell)}
 
 
 def make_net(doc, source, **properties):
-    """Add a Net on a face and return it; doc.recompute() then samples the face.
+    """Add a Net on one or more faces and return it; doc.recompute() then samples them.
 
-    source: (object, ["Face1"]), (object, "Face1"), or an object that has a single face; the face may be named
-    by its path from a container or a link, (part, "Box.Face6"). properties: see Net.
+    source: (object, ["Face1"]), (object, "Face1"), (object, ["Face1", "Face2"]) of neighbours, or an object
+    that has a single face or is a shell; a face may be named by its path from a container or a link,
+    (part, "Box.Face6"). properties: see Net.
     Raises ValueError for a source that does not say one object, a name that is no property of a Net, a value
     that the property does not take; then the document is as before.
     """
@@ -43,7 +44,7 @@ def make_gridshell(doc, source=None, net=None, **properties):
     the Gridshell, and of the new Net. Raises ValueError as make_net does; then the document is as before.
     """
     if (source is None) == (net is None):
-        raise ValueError("give either source, a face to make a net on, or net, a Net that is there already")
+        raise ValueError("give either source, what to make a net on, or net, a Net that is there already")
     if net is not None and getattr(net, MARKER, "") != Net.TYPE:
         raise ValueError(f"net is {getattr(net, 'Label', net)!r}, which is not a Net")
     if net is not None and net.Document != doc:
@@ -98,14 +99,14 @@ def attach_view_provider(obj):
 
 def _make_net(doc, source, properties):
     _check_names(Net, properties)
-    source, sub = _one_source(source)
+    source, subs = _one_source(source)
     if source.Document != doc:
         raise ValueError(
             f"source {source.Label} is in the document {source.Document.Label}: bring it into {doc.Label}, "
             "for instance as a link"
         )
     obj = _add(doc, Net)
-    obj.Source = _from_the_root(source, sub)
+    obj.Source = _from_the_root(source, subs)
     _set(obj, Net, properties)
     return obj
 
@@ -118,35 +119,29 @@ def _add(doc, feature):
 
 
 def _one_source(source):
-    """(object, sub-element name or "") of the ways in which a source may be given."""
+    """(object, [sub-element names, "" for all of it]) of the ways in which a source may be given."""
     if isinstance(source, (tuple, list)):
         if len(source) != 2:
             raise ValueError(
                 f'source has {len(source)} entries: give (object, ["Face1"]) or an object with one face'
             )
         obj, subs = source
-        subs = [subs] if isinstance(subs, str) else list(subs)
-        if len(subs) > 1:
-            raise ValueError(
-                f"source names {len(subs)} faces ({', '.join(subs)}): a net lies on one face; "
-                "make a net for each"
-            )
-        sub = subs[0] if subs else ""
+        subs = [subs] if isinstance(subs, str) else list(subs) or [""]
     else:
-        obj, sub = source, ""
+        obj, subs = source, [""]
     if not hasattr(obj, "getSubObject"):
         raise ValueError(f"source {obj!r} is not a document object")
-    return obj, sub
+    return obj, subs
 
 
-def _from_the_root(obj, sub):
-    """The same face, named from the outermost container (App::Part, Body) of the object.
+def _from_the_root(obj, subs):
+    """The same faces, named from the outermost container (App::Part, Body) of the object.
 
-    So the face stands where it is seen, and moving a container moves the net.
+    So they stand where they are seen, and moving a container moves the net.
     """
     while (container := obj.getParentGeoFeatureGroup()) is not None:
-        obj, sub = container, f"{obj.Name}.{sub}"
-    return obj, [sub]
+        obj, subs = container, [f"{obj.Name}.{sub}" for sub in subs]
+    return obj, subs
 
 
 def _settable(feature):

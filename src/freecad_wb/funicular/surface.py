@@ -125,34 +125,45 @@ def _refined(table, point, measure, knots):
     return table
 
 
-def count_cells(chart, step_u, step_v, pattern="quad"):
+def count_cells(chart, step_u, step_v, pattern="quad", counts=(0, 0), swapped=False):
     """Cells along u and along v: the mean length of the isolines over that of a cell [mm], rounded.
 
-    step_u, step_v: lengths of members along u and along v, of which the pattern makes its cells. At least 1,
-    2 between two poles and 3 around a closed direction. Raises InvalidInput naming the step.
+    step_u, step_v: lengths of members along u and along v, of which the pattern makes its cells. counts:
+    cells along u and along v that are wanted whatever the steps; 0 for none. swapped: the pattern's u runs
+    along v. At least 1, 2 between two poles and 3 around a closed direction. Raises InvalidInput naming the
+    step.
     """
     cells = []
-    along_u, along_v = fn.cell_extent(pattern)
-    for name, step, extent, lengths, closed, ends in (
-        ("StepU", step_u, along_u, chart.table.lengths_u, chart.closed_u, {"u_min", "u_max"}),
-        ("StepV", step_v, along_v, chart.table.lengths_v, chart.closed_v, {"v_min", "v_max"}),
+    along_u, along_v = fn.cell_extent(pattern)[:: -1 if swapped else 1]
+    for name, step, count, extent, lengths, closed, ends in (
+        ("StepU", step_u, counts[0], along_u, chart.table.lengths_u, chart.closed_u, SIDES[:2]),
+        ("StepV", step_v, counts[1], along_v, chart.table.lengths_v, chart.closed_v, SIDES[2:]),
     ):
-        if not step > 0.0:
-            raise fn.InvalidInput(f"{name} is {step:g} mm: give a length greater than zero")
-        longest = lengths.max()
-        if step > longest * (1.0 + 1e-9):
-            raise fn.InvalidInput(
-                f"{name} is {step:g} mm, larger than the face, whose longest isoline in that direction "
-                f"measures {longest:.6g} mm: give a smaller step"
-            )
-        fewest = 3 if closed else 2 if ends <= chart.poles else 1
-        cells.append(max(fewest, round(float(lengths.mean()) / (extent * step))))
+        if not count:
+            count = _cells_of_step(name, step, extent, lengths)
+        cells.append(max(count, 3 if closed else 2 if set(ends) <= chart.poles else 1))
     if (cells[0] + 1) * (cells[1] + 1) > MOST_NODES:
+        given = (
+            f"Count{axis} = {count}" if count else f"Step{axis} = {step:g} mm"
+            for axis, count, step in zip("UV", counts, (step_u, step_v))
+        )
         raise fn.InvalidInput(
-            f"StepU = {step_u:g} mm and StepV = {step_v:g} mm would make {cells[0]} × {cells[1]} cells, "
+            f"{' and '.join(given)} would make {cells[0]} × {cells[1]} cells, "
             f"more than {MOST_NODES} nodes: give larger steps"
         )
     return tuple(cells)
+
+
+def _cells_of_step(name, step, extent, lengths):
+    if not step > 0.0:
+        raise fn.InvalidInput(f"{name} is {step:g} mm: give a length greater than zero")
+    longest = lengths.max()
+    if step > longest * (1.0 + 1e-9):
+        raise fn.InvalidInput(
+            f"{name} is {step:g} mm, larger than the face, whose longest isoline in that direction "
+            f"measures {longest:.6g} mm: give a smaller step"
+        )
+    return round(float(lengths.mean()) / (extent * step))
 
 
 def sample(chart, uv):

@@ -36,7 +36,7 @@ def test_workbench_has_an_icon_a_toolbar_and_a_menu(workbench):
 def test_command_has_a_shortcut_and_says_what_it_needs(workbench):
     action = command_action()
     assert action.shortcut().toString() == "G, S"
-    assert "Select one face" in action.toolTip()
+    assert "Select a face" in action.toolTip()
     assert GRIDSHELL in Gui.listCommands()
 
 
@@ -61,23 +61,47 @@ def test_without_a_selection_it_says_what_to_select(document):
     # FreeCAD lets nobody press an inactive command, but a script may call it.
     COMMANDS[GRIDSHELL].Activated()
     settle()
-    assert "Select one face" in result_line()
-    assert "Select one face" in report_view()
+    assert "Select a face" in result_line()
+    assert "Select a face" in report_view()
     assert document.Objects == []
     press("Close")
     assert not Gui.Control.activeDialog()
 
 
-def test_with_several_faces_it_says_how_many_and_makes_nothing(document):
+def test_with_faces_of_several_bodies_it_says_how_many_and_makes_nothing(document, roof):
     box = document.addObject("Part::Box", "Box")
     document.recompute()
-    select_faces(box, "Face1", "Face2", "Face6")
+    before = document.Objects
+    select_faces(box, "Face6")
+    Gui.Selection.addSelection(roof, "Face1")
     clear_report_view()
     run_command()
-    assert "3 faces" in result_line() and "single face" in result_line()
-    assert "3 faces" in report_view()
+    assert "2 bodies" in result_line() and "single body" in result_line()
+    assert "2 bodies" in report_view()
+    assert document.Objects == before
+    press("Close")
+
+
+def test_with_a_whole_solid_it_asks_for_faces(document):
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(box)
+    run_command()
+    assert "Box is selected as a whole, with 6 faces" in result_line()
     assert document.Objects == [box]
     press("Close")
+
+
+def test_with_several_faces_of_one_body_it_makes_one_net(document):
+    box = document.addObject("Part::Box", "Box")
+    box.Length, box.Width, box.Height = 8000, 6000, 3000
+    document.recompute()
+    select_faces(box, "Face2", "Face6")
+    run_command()
+    assert result_line().startswith("✔"), result_line()
+    assert list(document.Net.Source[1]) == ["Face2", "Face6"]
+    press("OK")
 
 
 def test_workbench_can_be_left_and_entered_again(workbench):

@@ -8,7 +8,7 @@ import funicular as fn
 
 from ..recipes import support_recipe
 from .feature import Feature, Property, amount, checked, reason
-from .net import edges_of, net_of, to_vectors
+from .net import edges_of, flat_panels, net_of, to_vectors
 from .progress import Progress
 
 SHARES = ("Angle", "Equal", "Voronoi")
@@ -310,7 +310,7 @@ def _write(obj, scene, result, certificate):
     obj.Shape = edges_of(nodes, net.members)
     obj.NodePositions = to_vectors(nodes)
     obj.Members = net.members.ravel().tolist()
-    obj.Panels = [number for panel in net.panels for number in (len(panel), *map(int, panel))]
+    obj.Panels = flat_panels(net.panels)
     obj.MemberForces = result.member_forces.tolist()
     obj.Reactions = to_vectors(result.reactions)
     obj.Residual = result.residual

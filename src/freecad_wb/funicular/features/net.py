@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The Net in the document: a face and how it is divided; its shape is the net before relaxation."""
+"""The Net in the document: a source and how it is divided; its shape is the net before relaxation."""
 
 import FreeCAD as App
 import Part
@@ -7,8 +7,10 @@ import numpy as np
 
 import funicular as fn
 
-from .. import surface
+from ..laying import Division, lattice_on, lay_on_face
+from ..several_faces import lay_on_faces
 from .feature import Feature, Property, amount
+from .source import read_source
 
 # fn.patterns() as an architect reads them; written out, as this module has to load without the core.
 PATTERNS = (
@@ -26,16 +28,18 @@ PATTERNS = (
     "Ribs v",
 )
 
+SPACINGS = ("Length", "Parameter")
+
 # OCCT takes points within 1e-7 mm of each other for one.
 SHORTEST_EDGE = 1e-7
 
 
 class Net(Feature):
-    """Proxy of a Net: samples the face at equal arc-length steps along its isolines. Lengths in mm."""
+    """Proxy of a Net: lays a pattern on its source. Lengths in mm."""
 
     TYPE = "Net"
     PROPERTIES = (
-        Property("App::PropertyLinkSub", "Source", "Net", "The face that the net lies on"),
+        Property("App::PropertyLinkSub", "Source", "Net", "The face or faces that the net lies on"),
         Property(
             "App::PropertyEnumeration", "Pattern", "Net", "How members are laid on the face", "Quad", PATTERNS
         ),
@@ -55,6 +59,20 @@ class Net(Feature):
             "1 m",
             unit="mm",
         ),
+        Property("App::PropertyInteger", "CountU", "Net", "Cells along u, in place of StepU; 0 for none", 0),
+        Property("App::PropertyInteger", "CountV", "Net", "Cells along v, in place of StepV; 0 for none", 0),
+        Property(
+            "App::PropertyBool", "SwapUV", "Net", "Turn the pattern: what ran along u runs along v", False
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Spacing",
+            "Net",
+            "What is equal from cell to cell: the length on the face, or the surface's parameters",
+            SPACINGS[0],
+            SPACINGS,
+        ),
+        Property("App::PropertyString", "Remarks", "Net", "What came out otherwise", mode=("ReadOnly",)),
         *(
             Property("App::PropertyInteger", name, "Net", tooltip, mode=("ReadOnly",))
             for name, tooltip in (
@@ -68,15 +86,14 @@ class Net(Feature):
         *(
             Property(kind, name, "Net", tooltip, mode=("ReadOnly", "Hidden"))
             for kind, name, tooltip in (
-                (
-                    "App::PropertyVectorList",
-                    "SourceNodes",
-                    "Nodes on the face, in the numbering of the lattice",
-                ),
+                ("App::PropertyVectorList", "SourceNodes", "Nodes on the face, in the numbering of the net"),
                 ("App::PropertyString", "SampledPattern", "The pattern that the nodes were laid in"),
+                ("App::PropertyBool", "SampledSwap", "Whether that was turned"),
                 ("App::PropertyBool", "ClosedU", "The last cell along u joins the first"),
                 ("App::PropertyBool", "ClosedV", "The last cell along v joins the first"),
                 ("App::PropertyStringList", "Poles", "Sides of the face that are one point"),
+                ("App::PropertyIntegerList", "Members", "Two nodes a member; empty for a lattice"),
+                ("App::PropertyIntegerList", "Panels", "Of each panel how many nodes, then their numbers"),
                 ("App::PropertyString", "SourceBody", "What the face belonged to when it was picked"),
             )
         ),
@@ -89,122 +106,83 @@ class Net(Feature):
             obj.SourceBody = ""
 
     def compute(self, obj):
-        face, name, body = read_source(obj)
-        chart = surface.read_face(face, name)
-        pattern = _name_of(obj.Pattern)
-        lattice = fn.lattice(
-            *surface.count_cells(chart, amount(obj, "StepU", "mm"), amount(obj, "StepV", "mm"), pattern),
-            pattern=pattern,
-            closed_u=chart.closed_u,
-            closed_v=chart.closed_v,
-            poles=sorted(chart.poles),
-        )
-        nodes = surface.sample(chart, lattice.uv)
-        _refuse_pinches(nodes, lattice.members, chart.size, name)
-        net = lattice.net(nodes * 1e-3)
+        source = read_source(obj)
+        division = _division(obj)
+        if len(source.faces) == 1:
+            laid = lay_on_face(source.faces[0], source.names[0], division)
+        else:
+            laid = lay_on_faces(source, division)
+        _write(obj, laid)
+        obj.SourceBody = source.described
 
-        # The shape first: it is what may fail, and then no number has changed.
-        obj.Shape = edges_of(nodes, net.members)
-        obj.SourceNodes = to_vectors(nodes)
-        obj.SourceBody = body
-        obj.SampledPattern = obj.Pattern
-        obj.ClosedU, obj.ClosedV, obj.Poles = chart.closed_u, chart.closed_v, sorted(chart.poles)
-        obj.CellsU, obj.CellsV = lattice.cells
-        obj.NodeCount, obj.MemberCount, obj.PanelCount = len(nodes), len(net.members), len(net.panels)
+
+def _division(obj):
+    for name in ("CountU", "CountV"):
+        if getattr(obj, name) < 0:
+            raise fn.InvalidInput(f"{name} is {getattr(obj, name)} cells: give 0 (none) or more")
+    return Division(
+        amount(obj, "StepU", "mm"),
+        amount(obj, "StepV", "mm"),
+        _name_of(obj.Pattern),
+        obj.CountU,
+        obj.CountV,
+        obj.SwapUV,
+        obj.Spacing == SPACINGS[1],
+    )
+
+
+def _write(obj, laid):
+    # The shape first: it is what may fail, and then no number has changed.
+    obj.Shape = edges_of(laid.nodes, laid.members)
+    obj.SourceNodes = to_vectors(laid.nodes)
+    obj.SampledPattern, obj.SampledSwap = obj.Pattern, obj.SwapUV
+    obj.CellsU, obj.CellsV = laid.cells
+    obj.ClosedU, obj.ClosedV, obj.Poles = *laid.closed, sorted(laid.poles)
+    obj.Members = [] if laid.lattice else np.asarray(laid.members).ravel().tolist()
+    obj.Panels = [] if laid.lattice else flat_panels(laid.panels)
+    obj.NodeCount, obj.MemberCount, obj.PanelCount = len(laid.nodes), len(laid.members), len(laid.panels)
+    obj.Remarks = "; ".join(laid.remarks)
 
 
 def net_of(obj):
-    """The fn.Net (metres, with its lattice) of a Net object as it was last computed, placed as it stands.
+    """The fn.Net (metres) of a Net object as it was last computed, placed as it stands.
 
     Raises InvalidInput if it was never computed.
     """
     if not obj.SourceNodes:
         raise fn.InvalidInput(f"Net {obj.Label} has no nodes: {obj.getStatusString()}; mend its source first")
-    lattice = fn.lattice(
-        obj.CellsU,
-        obj.CellsV,
-        # Files of before hold no other pattern than the first.
-        pattern=_name_of(obj.SampledPattern or PATTERNS[0]),
-        closed_u=obj.ClosedU,
-        closed_v=obj.ClosedV,
-        poles=obj.Poles,
-    )
     place = obj.Placement.Matrix
-    return lattice.net(np.array([tuple(place.multVec(node)) for node in obj.SourceNodes]) * 1e-3)
+    nodes = np.array([tuple(place.multVec(node)) for node in obj.SourceNodes]) * 1e-3
+    if obj.Members:
+        return fn.Net(nodes, np.array(obj.Members).reshape(-1, 2), panels_of(obj.Panels))
+    lattice, _ = lattice_on(
+        (obj.CellsU, obj.CellsV),
+        (obj.ClosedU, obj.ClosedV),
+        obj.Poles,
+        # Files of before hold no other pattern than the first.
+        _name_of(obj.SampledPattern or PATTERNS[0]),
+        obj.SampledSwap,
+    )
+    return lattice.net(nodes)
+
+
+def flat_panels(panels):
+    """What a document can hold of panels: of each how many nodes, then their numbers."""
+    return [number for panel in panels for number in (len(panel), *map(int, panel))]
+
+
+def panels_of(numbers):
+    """The panels of flat_panels()."""
+    panels, start = [], 0
+    while start < len(numbers):
+        end = start + 1 + numbers[start]
+        panels.append(tuple(numbers[start + 1 : end]))
+        start = end
+    return tuple(panels)
 
 
 def _name_of(pattern):
     return pattern.lower().replace(" ", "_")
-
-
-def read_source(obj):
-    """(face, its name in sentences, what body it belongs to) of a Net's Source.
-
-    Raises InvalidInput that says why there is not one face there, and what to do.
-    """
-    if obj.Source is None:
-        raise fn.InvalidInput(
-            "Source is empty (no face was picked, or its object was deleted): set it to one face, "
-            'such as (object, ["Face1"])'
-        )
-    source, subs = obj.Source
-    if source in obj.InListRecursive:
-        raise fn.InvalidInput(
-            f"{obj.Label} lies inside {source.Label}, which holds its own face: move it out of {source.Label}"
-        )
-    subs = [sub for sub in subs if sub] or [""]
-    if len(subs) > 1:
-        raise fn.InvalidInput(
-            f"Source names {len(subs)} elements of {source.Label} ({', '.join(subs)}): a net lies on one "
-            "face, so pick one and make a net of its own for each other"
-        )
-    path, _, element = subs[0].rpartition(".")
-    path = path and path + "."
-    body = source.getSubObject(path) if path else getattr(source, "Shape", None)
-    if body is None or body.isNull():
-        raise fn.InvalidInput(
-            f"Source {source.Label}{path and '.' + path[:-1]} has no shape: recompute or mend it, "
-            "or pick another face"
-        )
-    faces = len(body.Faces)
-    if not element:
-        if faces != 1:
-            raise fn.InvalidInput(f"Source {source.Label} has {faces} faces: pick one of them")
-        element = "Face1"
-    name = f"Source {source.Label}.{path}{element}"
-    if not element.lstrip("?").startswith("Face"):
-        raise fn.InvalidInput(f"{name} is not a face: pick a face")
-    # 1.0 and later write '?Face3' for a face that is gone.
-    face = None if element.startswith("?") else source.getSubObject(path + element)
-    if face is None or face.isNull():
-        raise fn.InvalidInput(
-            f"{name} no longer exists ({source.Label} has {faces} face{'s' * (faces != 1)} now): "
-            "pick the face again"
-        )
-    described = "one face" if faces == 1 else f"{faces} faces, {element} a {type(face.Surface).__name__}"
-    if obj.SourceBody and obj.SourceBody != described and not _faces_keep_their_names():
-        raise fn.InvalidInput(
-            f"{name} may be another face than the one that was picked, because {source.Label} has "
-            f"changed (then: {obj.SourceBody}; now: {described}): pick the face again"
-        )
-    return face, name, described
-
-
-def _refuse_pinches(nodes, members, size, name):
-    """Raises InvalidInput where nodes coincide though the lattice tells them apart. nodes, size: [mm]."""
-    lengths = np.linalg.norm(nodes[members[:, 0]] - nodes[members[:, 1]], axis=1)
-    shortest = int(np.argmin(lengths))
-    if lengths[shortest] <= surface.COINCIDENT * size:
-        x, y, z = (nodes[members[shortest, 0]] + 0.0).round(3)
-        raise fn.InvalidInput(
-            f"{name} pinches to a point inside, at ({x:g}, {y:g}, {z:g}) mm: split the face there and make a "
-            "net on each part"
-        )
-
-
-def _faces_keep_their_names():
-    """From 1.0 on FreeCAD follows a face through changes of its body; before, Face3 is just the third."""
-    return int(App.Version()[0]) >= 1
 
 
 def to_vectors(points):

@@ -24,7 +24,7 @@ class GridshellCommand:
         what = QT_TRANSLATE_NOOP(
             "Funicular_Gridshell",
             "Turn the selected face into a compression-only gridshell.\n"
-            "Select one face in the 3D view, or a Net in the tree, then run this command.",
+            "Select a face in the 3D view, several of one body, or a Net in the tree, then run this command.",
         )
         return {
             "Pixmap": icon(self.NAME),
@@ -76,8 +76,8 @@ def _make(document, source, net):
         shell = make_gridshell(document, net=net)
         net.Visibility = False
     else:
-        root, (path,) = source
-        step_u, step_v = (f"{step} mm" for step in starting_steps(root.getSubObject(path)))
+        root, paths = source
+        step_u, step_v = (f"{step} mm" for step in starting_steps(root.getSubObject(paths[0])))
         shell = make_gridshell(document, source=source, StepU=step_u, StepV=step_v)
     return shell
 

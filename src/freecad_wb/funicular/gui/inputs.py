@@ -18,6 +18,10 @@ SECTIONS = (
             ("Net", "Pattern", QT_TRANSLATE_NOOP("Funicular", "Pattern")),
             ("Net", "StepU", QT_TRANSLATE_NOOP("Funicular", "Step along u")),
             ("Net", "StepV", QT_TRANSLATE_NOOP("Funicular", "Step along v")),
+            ("Net", "CountU", QT_TRANSLATE_NOOP("Funicular", "Cells along u")),
+            ("Net", "CountV", QT_TRANSLATE_NOOP("Funicular", "Cells along v")),
+            ("Net", "SwapUV", QT_TRANSLATE_NOOP("Funicular", "Turned")),
+            ("Net", "Spacing", QT_TRANSLATE_NOOP("Funicular", "Equal in")),
         ),
     ),
     (
@@ -139,7 +143,7 @@ def _check(obj, name, on_change):
 def _count(obj, name, on_change):
     widget = QtWidgets.QSpinBox()
     widget.setRange(0, 1000)
-    widget.setSpecialValueText(translate("off"))
+    widget.setSpecialValueText(translate("by step") if name.startswith("Count") else translate("off"))
     widget.valueChanged.connect(on_change)
     return widget
 

@@ -16,8 +16,8 @@ def selected_sources():
     Returns
     -------
     (faces, nets)
-        `faces`: list of (root object, path of the face below it); an object picked as a whole counts with
-        each of its faces. `nets`: list of Net objects.
+        `faces`: list of (root object, path of the face below it); the path of an object picked as a whole
+        ends with a dot or is empty. `nets`: list of Net objects.
     """
     faces, nets = [], []
     # 0: not resolved to the inner object, so that a face seen through a link or within a part is taken where
@@ -32,50 +32,72 @@ def selected_sources():
             elif element:
                 faces += [(root, path)] if element.startswith("Face") else []
             elif not hasattr(obj, "FunicularType"):
-                count = getattr(root.getSubObject(path), "countElement", lambda kind: 0)("Face")
-                faces += [(root, f"{path}Face{index + 1}") for index in range(count)]
+                faces += [(root, path)] if _face_count(root, path) else []
     return faces, nets
 
 
-def the_source():
-    """The one thing that is selected: ((root object, [path of the face]), None) or (None, net).
+def _face_count(root, path):
+    return getattr(root.getSubObject(path), "countElement", lambda kind: 0)("Face")
 
-    Raises WrongSelection when nothing fits, or more than one thing does.
+
+def _refuse_whole_solids(faces):
+    """A shell is laid out as it is; of a solid nobody means the bottom too."""
+    for root, path in faces:
+        if not path.rpartition(".")[2] and _face_count(root, path) > 1 and root.getSubObject(path).Solids:
+            raise WrongSelection(
+                translate(
+                    "{} is selected as a whole, with {} faces: select those that the gridshell shall follow, "
+                    "in the 3D view."
+                ).format(root.getSubObjectList(path)[-1].Label, _face_count(root, path))
+            )
+
+
+def the_source():
+    """What is selected to build on: ((root object, [paths of faces of one body]), None) or (None, net).
+
+    Raises WrongSelection when nothing fits, or more than one net or body does.
     """
     faces, nets = selected_sources()
     if not faces and not nets:
         raise WrongSelection(
             translate(
-                "Nothing to build on is selected. Select one face in the 3D view, then run Gridshell again."
+                "Nothing to build on is selected. Select a face in the 3D view, or several of one body, "
+                "then run Gridshell again."
             )
         )
-    if len(faces) + len(nets) > 1:
+    if bodies_of(faces) + len(nets) > 1:
         raise WrongSelection(
             translate(
-                "{} faces or nets are selected, and a gridshell stands on one. "
-                "Select a single face in the 3D view, then run Gridshell again."
-            ).format(len(faces) + len(nets))
+                "{} bodies or nets are selected, and a gridshell stands on one. "
+                "Select faces of a single body in the 3D view, then run Gridshell again."
+            ).format(bodies_of(faces) + len(nets))
         )
     if nets:
         return None, nets[0]
-    root, path = faces[0]
-    return (root, [path]), None
+    _refuse_whole_solids(faces)
+    return (faces[0][0], [path for _, path in faces]), None
 
 
-def the_face():
-    """The one face that is selected, as a Net's Source takes it: (root object, [path of the face]).
+def bodies_of(faces):
+    """How many bodies the faces of selected_sources() belong to."""
+    return len({(root.Name, path.rpartition(".")[0]) for root, path in faces})
 
-    Raises WrongSelection unless there is exactly one.
+
+def the_faces():
+    """The faces that are selected, as a Net's Source takes them: (root object, [paths of faces]).
+
+    Raises WrongSelection unless they are faces of one body.
     """
     faces, _ = selected_sources()
-    if len(faces) != 1:
+    if bodies_of(faces) != 1:
         raise WrongSelection(
-            translate("{} faces are selected: select a single one in the 3D view, then press again.").format(
-                len(faces)
-            )
+            translate(
+                "Faces of {} bodies are selected: select one or more of a single body in the 3D view, then "
+                "press again."
+            ).format(bodies_of(faces))
         )
-    root, path = faces[0]
-    return root, [path]
+    _refuse_whole_solids(faces)
+    return faces[0][0], [path for _, path in faces]
 
 
 def clicked_object(source):

@@ -10,7 +10,7 @@ import FreeCADGui
 
 from funicular.gui.icons import icon
 from funicular.gui.inputs import SECTIONS, expression_of, make_input, show_value
-from funicular.gui.picking import WrongSelection, clicked_object, the_face
+from funicular.gui.picking import WrongSelection, clicked_object, the_faces
 from funicular.gui.qt import QtCore, QtGui, QtWidgets, translate
 
 # After the last keystroke: long enough not to solve for each digit of a number, short enough to feel
@@ -231,10 +231,10 @@ class GridshellPanel:
         return form
 
     def _source_button(self):
-        button = QtWidgets.QPushButton(translate("Use selected face"))
+        button = QtWidgets.QPushButton(translate("Use selected faces"))
         button.setObjectName("Source")
-        button.setToolTip(translate("Lay the net on the face that is selected in the 3D view"))
-        button.clicked.connect(self._use_selected_face)
+        button.setToolTip(translate("Lay the net on the faces that are selected in the 3D view"))
+        button.clicked.connect(self._use_selected_faces)
         return button
 
     # What the user does
@@ -268,12 +268,12 @@ class GridshellPanel:
     def _say_what_is_unreadable(self):
         self.line.say(WRONG, next(iter(self._unreadable.values())))
 
-    def _use_selected_face(self):
+    def _use_selected_faces(self):
         if self._shell is None:
             return
         net = self._shell.Net
         try:
-            source = the_face()
+            source = the_faces()
         except WrongSelection as error:
             self.line.say(WRONG, str(error))
             return
@@ -321,7 +321,7 @@ class GridshellPanel:
     def _remedy(self, obj):
         if obj == self._shell or "Source" not in obj.getStatusString():
             return ""
-        return translate(". Select another face and press “Use selected face”.")
+        return translate(". Select another face and press “Use selected faces”.")
 
     def _leave(self):
         """Stop following the document, which may be about to go; returns it."""

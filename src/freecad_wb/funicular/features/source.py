@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the Source of a Net says: which faces of which body it lies on."""
+
+from dataclasses import dataclass
+
+import FreeCAD as App
+
+import funicular as fn
+
+
+@dataclass(frozen=True)
+class Faces:
+    """Faces of one body, placed as they stand in the document.
+
+    faces: Part.Face each. names: how sentences call them. body: the Part.Shape that they belong to.
+    described: what that body is, so that another one is noticed.
+    """
+
+    faces: tuple
+    names: tuple
+    body: object
+    described: str
+
+
+def read_source(obj):
+    """The Faces of a Net's Source. Raises InvalidInput that says why there are none, and what to do."""
+    if obj.Source is None:
+        raise fn.InvalidInput(
+            "Source is empty (no face was picked, or its object was deleted): set it to one face, "
+            'such as (object, ["Face1"])'
+        )
+    source, subs = obj.Source
+    if source in obj.InListRecursive:
+        raise fn.InvalidInput(
+            f"{obj.Label} lies inside {source.Label}, which holds its own face: move it out of {source.Label}"
+        )
+    paths, elements = zip(*(_split(sub) for sub in [sub for sub in subs if sub] or [""]))
+    if len(set(paths)) > 1:
+        raise fn.InvalidInput(
+            f"Source names faces of {len(set(paths))} bodies ({', '.join(subs)}): a net lies on faces of "
+            "one; fuse them first, or make a net on each"
+        )
+    path = paths[0]
+    body = source.getSubObject(path) if path else getattr(source, "Shape", None)
+    if body is None or body.isNull():
+        raise fn.InvalidInput(
+            f"Source {source.Label}{path and '.' + path[:-1]} has no shape: recompute or mend it, "
+            "or pick another face"
+        )
+    count = len(body.Faces)
+    if not any(elements):
+        if count != 1 and (count == 0 or body.Solids):
+            raise fn.InvalidInput(f"Source {source.Label} has {count} faces: pick one of them")
+        elements = [f"Face{number}" for number in range(1, count + 1)]
+    names = tuple(f"Source {source.Label}.{path}{element}" for element in elements)
+    faces = tuple(_face(source, path, element, name, count) for element, name in zip(elements, names))
+    if len({element.lstrip("?") for element in elements}) < len(elements):
+        raise fn.InvalidInput(f"Source names a face of {source.Label} twice ({', '.join(subs)})")
+    described = "one face" if count == 1 else f"{count} faces"
+    if count > 1:
+        described += "".join(
+            f", {element} a {type(face.Surface).__name__}" for element, face in zip(elements, faces)
+        )
+    if obj.SourceBody and obj.SourceBody != described and not _faces_keep_their_names():
+        raise fn.InvalidInput(
+            f"{names[0]} may be another face than the one that was picked, because {source.Label} has "
+            f"changed (then: {obj.SourceBody}; now: {described}): pick the face again"
+        )
+    return Faces(faces, names, body, described)
+
+
+def _split(sub):
+    path, _, element = sub.rpartition(".")
+    return path and path + ".", element
+
+
+def _face(source, path, element, name, count):
+    if not element.lstrip("?").startswith("Face"):
+        raise fn.InvalidInput(f"{name} is not a face: pick a face")
+    # 1.0 and later write '?Face3' for a face that is gone.
+    face = None if element.startswith("?") else source.getSubObject(path + element)
+    if face is None or face.isNull():
+        raise fn.InvalidInput(
+            f"{name} no longer exists ({source.Label} has {count} face{'s' * (count != 1)} now): "
+            "pick the face again"
+        )
+    return face
+
+
+def _faces_keep_their_names():
+    """From 1.0 on FreeCAD follows a face through changes of its body; before, Face3 is just the third."""
+    return int(App.Version()[0]) >= 1
