@@ -20,8 +20,9 @@ import FreeCAD as App
 from .features.feature import MARKER, reason
 from .features.gridshell import Gridshell
 from .features.net import Net
+from .features.support import Support
 
-FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell)}
+FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell, Support)}
 
 
 def make_net(doc, source, **properties):
@@ -69,6 +70,27 @@ def make_gridshell(doc, source=None, net=None, **properties):
         obj = _add(doc, Gridshell)
         obj.Net = net
         _set(obj, Gridshell, of_gridshell)
+        return obj
+
+
+def make_support(doc, gridshell, **properties):
+    """Add a Support to a Gridshell and return it; doc.recompute() then finds its nodes and relaxes again.
+
+    properties: see Support, such as Where="Edges and vertices", Elements=["Edge3"], Kind="On its vertical
+    plane". The gridshell's SupportRecipe goes on to hold what it did; Kind="Free" takes nodes from it. Raises
+    ValueError for what is no gridshell, a name that is no property of a Support, a value that it does not
+    take; then the document is as before.
+    """
+    if getattr(gridshell, MARKER, "") != Gridshell.TYPE or gridshell.Document != doc:
+        raise ValueError(
+            f"gridshell is {getattr(gridshell, 'Label', gridshell)!r}, which is no Gridshell of {doc.Label}"
+        )
+    _check_names(Support, properties)
+    with _one_undo_step(doc, "Make support"):
+        obj = _add(doc, Support)
+        obj.Net = gridshell.Net
+        _set(obj, Support, properties)
+        gridshell.Supports = [*gridshell.Supports, obj]
         return obj
 
 
@@ -145,7 +167,8 @@ def _from_the_root(obj, subs):
 
 
 def _settable(feature):
-    return [each for each in feature.PROPERTIES if not each.mode and each.name not in ("Source", "Net")]
+    given = ("Source", "Net", "Supports")
+    return [each for each in feature.PROPERTIES if not each.mode and each.name not in given]
 
 
 def _check_names(feature, properties, also=()):

@@ -8,15 +8,20 @@ import funicular as fn
 # A node counts as lowest within this part of the net's size: less than meets the eye, more than rounding.
 LEVEL = 1e-4
 
+# A border that turns by more degrees than this at a node has a corner there.
+SHARP = 30.0
+
 
 def support_recipe(net, name):
     """The supports that a recipe makes on a net, from the positions of its nodes.
 
     name, one of
     - "boundary": points on every node of the open border;
-    - "corners": points on the four corners of the net's lattice;
+    - "corners": points on the corners of the net's lattice, or, of a net on no lattice, on the nodes where
+      its outer border turns by more than 30 degrees;
     - "corners and border planes": points on the corners, and for every other border node the vertical plane
       that holds the border's tangent there (Brivio et al. 2009, section 5.2);
+    - "opening rims": points on every node of the borders but the longest;
     - "lowest points": points on the nodes within 1e-4 of the net's size of the lowest one;
     - "none".
 
@@ -48,13 +53,20 @@ def _corners(net):
 
 def _corners_and_border_planes(net):
     corners = _corner_nodes(net, "corners and border planes")
-    nodes_of_normal = {}
-    for side in net.lattice.sides.values():
-        for node, normal in zip(side[1:-1], _horizontal_normals(net.nodes, side)):
-            # One support per direction: a straight border is one plane, not one per node.
-            nodes_of_normal.setdefault(tuple(normal.round(12) + 0.0), []).append(int(node))
-    planes = [fn.OnPlane(nodes, normal=normal) for normal, nodes in nodes_of_normal.items()]
-    return [fn.Fixed(corners), *planes]
+    sides = net.lattice.sides.values() if net.lattice else _between(border_loops(net)[0], corners)
+    try:
+        return [fn.Fixed(corners), *vertical_planes(net.nodes, sides)]
+    except fn.InvalidInput as error:
+        raise fn.InvalidInput(
+            f"recipe 'corners and border planes': {error}; choose 'corners' or 'boundary' instead"
+        ) from None
+
+
+def _opening_rims(net):
+    loops = border_loops(net)[1:]
+    if not loops:
+        raise fn.InvalidInput("recipe 'opening rims': the net has no opening; choose 'boundary' instead")
+    return [fn.Fixed(np.concatenate(loops))]
 
 
 def _lowest_points(net):
@@ -70,20 +82,94 @@ RECIPES = {
     "boundary": _boundary,
     "corners": _corners,
     "corners and border planes": _corners_and_border_planes,
+    "opening rims": _opening_rims,
     "lowest points": _lowest_points,
     "none": _none,
 }
 
 
 def _corner_nodes(net, recipe):
-    if net.lattice is None:
-        reason = "the net was not made on a lattice"
-    elif not len(net.lattice.corners):
-        reason = "the net has no corners (it closes on itself or runs to a pole)"
-    else:
-        return net.lattice.corners
+    corners = net.lattice.corners if net.lattice else _turns(net)
+    if len(corners):
+        return corners
+    reason = (
+        "the net has no corners (it closes on itself or runs to a pole)"
+        if net.lattice
+        else "the net's border has no corners (it turns by more than 30 degrees nowhere)"
+    )
     other = "boundary" if len(net.border) else "lowest points"
     raise fn.InvalidInput(f"recipe '{recipe}': {reason}; choose '{other}' instead")
+
+
+def border_loops(net):
+    """The closed borders of a net, each as its nodes in order; the longest, which is the outer one, first.
+
+    Where borders meet in a node, a loop may run through it more than once.
+    """
+    after = {}
+    for a, b in _border_edges(net):
+        after.setdefault(a, []).append(b)
+    loops = []
+    while after:
+        start = min(after)
+        loop, node = [], start
+        while node in after:
+            loop.append(node)
+            following = after[node].pop(0)
+            if not after[node]:
+                del after[node]
+            node = following
+        loops.append(np.array(loop))
+    return sorted(loops, key=lambda loop: -_length(net.nodes, loop))
+
+
+def _border_edges(net):
+    """(from, to) of the panels' edges that no other panel shares, as the panels run; ordered."""
+    edges = {}
+    for panel in net.panels:
+        for a, b in zip(panel, panel[1:] + panel[:1]):
+            edges.setdefault((min(a, b), max(a, b)), []).append((a, b))
+    return sorted(of_edge[0] for of_edge in edges.values() if len(of_edge) == 1)
+
+
+def _length(nodes, loop):
+    return float(np.linalg.norm(nodes[np.roll(loop, -1)] - nodes[loop], axis=1).sum())
+
+
+def _turns(net):
+    """Nodes where the outer border turns sharply."""
+    loops = border_loops(net)
+    if not loops:
+        return np.array([], dtype=int)
+    loop = loops[0]
+    along = net.nodes[np.roll(loop, -1)] - net.nodes[loop]
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    return loop[(along * np.roll(along, 1, axis=0)).sum(axis=1) < np.cos(np.radians(SHARP))]
+
+
+def _between(loop, corners):
+    """The pieces of a closed loop from one corner to the next, both included."""
+    at = np.flatnonzero(np.isin(loop, corners))
+    turned = np.roll(loop, -at[0])
+    ends = [*(at - at[0]), len(loop)]
+    closed = np.append(turned, turned[0])
+    return [closed[first : last + 1] for first, last in zip(ends, ends[1:])]
+
+
+def vertical_planes(nodes, lines, closed=False):
+    """fn.OnPlane supports of the vertical planes that hold the tangents of lines of nodes.
+
+    nodes: (n, 3). lines: sequences of node numbers; of open ones the two end nodes are not held.
+    Raises InvalidInput where a line is vertical.
+    """
+    nodes_of_normal = {}
+    for line in lines:
+        line = np.asarray(line)
+        whole = np.concatenate([line[-1:], line, line[:1]]) if closed else line
+        for node, normal in zip(whole[1:-1], _horizontal_normals(nodes, whole)):
+            # One support per direction: a straight border is one plane, not one per node.
+            nodes_of_normal.setdefault(tuple(normal.round(12) + 0.0), []).append(int(node))
+    return [fn.OnPlane(of_normal, normal=normal) for normal, of_normal in nodes_of_normal.items()]
 
 
 def _horizontal_normals(nodes, side):
@@ -94,9 +180,8 @@ def _horizontal_normals(nodes, side):
     upright = np.flatnonzero(on_plan <= 1e-9 * np.linalg.norm(chords, axis=1))
     if len(upright):
         raise fn.InvalidInput(
-            "recipe 'corners and border planes': the border is vertical at node "
-            f"{side[1 + upright[0]]}, where more than one vertical plane holds it; choose 'corners' or "
-            "'boundary' instead"
+            f"the border is vertical at node {side[1 + upright[0]]}, where more than one vertical plane "
+            "holds it"
         )
     normals /= on_plan[:, None]
     # The sense of a normal has no meaning; making it one keeps equal planes together.

@@ -6,13 +6,12 @@ import numpy as np
 
 import funicular as fn
 
-from ..recipes import support_recipe
 from .feature import Feature, Property, amount, checked, reason
 from .net import edges_of, flat_panels, net_of, to_vectors
 from .progress import Progress
+from .support import RECIPES, supports_of_gridshell
 
 SHARES = ("Angle", "Equal", "Voronoi")
-RECIPES = ("Boundary", "Corners", "Corners and border planes", "Lowest points", "None")
 METHODS = ("Auto", "Newton", "Relaxation")
 
 # FreeCAD's internal units are mm, kg and s: the factors to SI.
@@ -88,6 +87,12 @@ class Gridshell(Feature):
             "Where the shell stands",
             "Boundary",
             RECIPES,
+        ),
+        Property(
+            "App::PropertyLinkList",
+            "Supports",
+            "Supports",
+            "Supports of their own, besides those of the recipe",
         ),
         Property(
             "App::PropertyLength",
@@ -214,7 +219,7 @@ def scene_of(obj):
     if snow:
         effects.append(fn.Snow(snow))
     net = net_of(obj.Net)
-    return fn.Scene(net, supports=_supports(obj, net), effects=effects)
+    return fn.Scene(net, supports=supports_of_gridshell(obj, net), effects=effects)
 
 
 def refuse_tilt(obj):
@@ -256,18 +261,6 @@ def solver_options(obj):
 def result_line(obj):
     """The sentence that tells a Gridshell's last result; empty before the first recompute."""
     return obj.Summary
-
-
-def _supports(obj, net):
-    if obj.SupportRecipe == "None":
-        raise fn.InvalidInput(
-            "SupportRecipe is None, and a shell without supports falls: choose "
-            + ", ".join(recipe for recipe in RECIPES if recipe != "None")
-        )
-    try:
-        return support_recipe(net, obj.SupportRecipe.lower())
-    except fn.InvalidInput as error:
-        raise fn.InvalidInput(f"SupportRecipe: {error}") from None
 
 
 def _solve(obj, scene):

@@ -9,6 +9,7 @@ import funicular as fn
 
 from ..laying import Division, lattice_on, lay_on_face
 from ..several_faces import lay_on_faces
+from .elements import nodes_on_elements
 from .feature import Feature, Property, amount
 from .source import read_source
 
@@ -94,6 +95,12 @@ class Net(Feature):
                 ("App::PropertyStringList", "Poles", "Sides of the face that are one point"),
                 ("App::PropertyIntegerList", "Members", "Two nodes a member; empty for a lattice"),
                 ("App::PropertyIntegerList", "Panels", "Of each panel how many nodes, then their numbers"),
+                (
+                    "App::PropertyStringList",
+                    "SourceElements",
+                    "Edges and vertices of the source that hold nodes",
+                ),
+                ("App::PropertyIntegerList", "ElementNodes", "Of each how many nodes, then their numbers"),
                 ("App::PropertyString", "SourceBody", "What the face belonged to when it was picked"),
             )
         ),
@@ -112,7 +119,9 @@ class Net(Feature):
             laid = lay_on_face(source.faces[0], source.names[0], division)
         else:
             laid = lay_on_faces(source, division)
+        on_elements = nodes_on_elements(source.body, source.faces, laid.nodes)
         _write(obj, laid)
+        obj.SourceElements, obj.ElementNodes = list(on_elements), flat_panels(on_elements.values())
         obj.SourceBody = source.described
 
 
@@ -151,8 +160,7 @@ def net_of(obj):
     """
     if not obj.SourceNodes:
         raise fn.InvalidInput(f"Net {obj.Label} has no nodes: {obj.getStatusString()}; mend its source first")
-    place = obj.Placement.Matrix
-    nodes = np.array([tuple(place.multVec(node)) for node in obj.SourceNodes]) * 1e-3
+    nodes = positions_of(obj) * 1e-3
     if obj.Members:
         return fn.Net(nodes, np.array(obj.Members).reshape(-1, 2), panels_of(obj.Panels))
     lattice, _ = lattice_on(
@@ -164,6 +172,24 @@ def net_of(obj):
         obj.SampledSwap,
     )
     return lattice.net(nodes)
+
+
+def positions_of(obj):
+    """(n, 3) nodes [mm] of a Net object, placed as it stands."""
+    place = obj.Placement.Matrix
+    return np.array([tuple(place.multVec(node)) for node in obj.SourceNodes])
+
+
+def nodes_of_element(obj, element):
+    """(k,) nodes of a Net on an edge or vertex of its source ("Edge3", "Vertex1"), those of an edge in order.
+
+    Raises InvalidInput that lists the elements that there are.
+    """
+    if element not in obj.SourceElements:
+        raise fn.InvalidInput(
+            f"{obj.Label} has no nodes on '{element}': there are {', '.join(obj.SourceElements) or 'none'}"
+        )
+    return np.array(panels_of(obj.ElementNodes)[obj.SourceElements.index(element)], dtype=int)
 
 
 def flat_panels(panels):

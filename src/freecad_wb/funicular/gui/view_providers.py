@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a Net and a Gridshell stand in the tree and in the 3D view. Class names are saved in users' files."""
+"""How Net, Gridshell and Support stand in the tree and the 3D view. Class names are in users' files."""
 
 import FreeCAD
 import FreeCADGui
@@ -75,6 +75,17 @@ class ViewProviderNet(ViewProvider):
         return True
 
 
+class ViewProviderSupport(ViewProvider):
+    """The nodes that are held, as points larger than those of the net."""
+
+    icon_name = "Funicular_Support"
+
+    def __init__(self, vobj):
+        super().__init__(vobj)
+        vobj.PointSize = 9.0
+        vobj.PointColor = (0.75, 0.2, 0.1)
+
+
 class ViewProviderGridshell(ViewProvider):
     """A relaxed gridshell: members coloured by force, with a legend; a double click opens its panel."""
 
@@ -99,8 +110,8 @@ class ViewProviderGridshell(ViewProvider):
                 setattr(vobj, name, True)
 
     def claimChildren(self):
-        net = self.vobj.Object.Net
-        return [net] if net else []
+        obj = self.vobj.Object
+        return [*([obj.Net] if obj.Net else []), *obj.Supports]
 
     def updateData(self, obj, prop):
         if prop in COLOURING_RESULTS or prop == "Label":
@@ -164,7 +175,7 @@ class ViewProviderGridshell(ViewProvider):
         return True
 
 
-VIEW_PROVIDERS = {"Net": ViewProviderNet, "Gridshell": ViewProviderGridshell}
+VIEW_PROVIDERS = {"Net": ViewProviderNet, "Gridshell": ViewProviderGridshell, "Support": ViewProviderSupport}
 
 
 def _show_unless_shared(child, obj):
@@ -178,7 +189,7 @@ def _show_unless_shared(child, obj):
 def attach_view_provider(obj):
     """Give `obj` the view provider of its kind if it has none, as in a file that was saved without a window.
 
-    obj: a document object whose FunicularType is "Net" or "Gridshell".
+    obj: a document object with a FunicularType.
     """
     vobj = obj.ViewObject
     kind = VIEW_PROVIDERS[obj.FunicularType]

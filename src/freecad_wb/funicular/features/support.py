@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A Support in the document: which nodes of a net it holds, said so that it outlives other steps, and how."""
+
+import FreeCAD as App
+import numpy as np
+import Part
+
+import funicular as fn
+
+from ..recipes import border_loops, support_recipe, vertical_planes
+from .feature import Feature, Property, amount
+from .net import nodes_of_element, net_of, positions_of
+
+# Of a Gridshell: which nodes, and how they are held.
+RECIPES = ("Boundary", "Corners", "Corners and border planes", "Lowest points", "Opening rims", "None")
+
+# Of a Support: those that say which nodes; how they are held says Kind.
+NODE_RECIPES = ("Corners", "Boundary", "Lowest points", "Opening rims")
+ELEMENTS, POINTS, NODES = "Edges and vertices", "Points", "Nodes"
+PLACES = (*NODE_RECIPES, ELEMENTS, POINTS, NODES)
+
+FIXED, VERTICAL_PLANE, VERTICAL_LINE = "Fixed", "On its vertical plane", "On its vertical line"
+PLANE, LINE, FREE = "On a plane", "On a line", "Free"
+KINDS = (FIXED, VERTICAL_PLANE, VERTICAL_LINE, PLANE, LINE, FREE)
+
+
+class Support(Feature):
+    """Proxy of a Support; its shape are the nodes that it holds, as they lie on the net."""
+
+    TYPE = "Support"
+    PROPERTIES = (
+        Property("App::PropertyLink", "Net", "Support", "The net whose nodes are held"),
+        Property("App::PropertyEnumeration", "Where", "Support", "Which nodes are held", "Corners", PLACES),
+        Property(
+            "App::PropertyStringList",
+            "Elements",
+            "Support",
+            "Edges and vertices of the net's source, such as Edge3 or Vertex1: every node on them",
+        ),
+        Property(
+            "App::PropertyVectorList",
+            "Points",
+            "Support",
+            "(u, v) of the face between 0 and 1 (z is not used): the node nearest to each",
+        ),
+        Property(
+            "App::PropertyIntegerList", "Nodes", "Support", "Numbers of nodes, for a net that keeps them"
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Kind",
+            "Support",
+            "How nodes are held; Free takes them from the other supports",
+            FIXED,
+            KINDS,
+        ),
+        Property(
+            "App::PropertyVector",
+            "Direction",
+            "Support",
+            "Normal of the plane, or direction of the line",
+            App.Vector(0, 0, 1),
+        ),
+        Property(
+            "App::PropertyQuantity",
+            "Stiffness",
+            "Support",
+            "Force for each length that the support yields; 0 for one that does not",
+            "0 N/m",
+            unit="N/m",
+        ),
+        Property("App::PropertyIntegerList", "HeldNodes", "Support", "What was found", mode=("ReadOnly",)),
+    )
+
+    def compute(self, obj):
+        net = net_of_support(obj)
+        held = nodes_of_support(obj, net)
+        supports_of(obj, net, held)
+        points = positions_of(obj.Net)[held]
+        obj.Shape = Part.Compound([Part.Vertex(App.Vector(*point)) for point in points.tolist()])
+        obj.HeldNodes = held.tolist()
+
+
+def net_of_support(obj):
+    """The fn.Net of a Support. Raises InvalidInput without one."""
+    if obj.Net is None or getattr(obj.Net, "FunicularType", "") != "Net":
+        raise fn.InvalidInput("Net is empty or no Net: set it to the Net whose nodes are held")
+    return net_of(obj.Net)
+
+
+def nodes_of_support(obj, net):
+    """(k,) numbers of the nodes that a Support speaks of; those of one edge, or one border, in order.
+
+    Raises InvalidInput naming the property that finds none.
+    """
+    lines = _lines(obj, net)
+    nodes = np.concatenate(lines) if lines else np.array([], dtype=int)
+    if not len(nodes):
+        raise fn.InvalidInput(f"Where: no node is found by {obj.Where}")
+    return np.array(list(dict.fromkeys(nodes.tolist())))
+
+
+def _lines(obj, net):
+    """The nodes of a Support: one array for each edge or border, or for all."""
+    if obj.Where in ("Boundary", "Opening rims"):
+        # Asked of the recipe, which says why there is none.
+        support_recipe(net, obj.Where.lower())
+        return border_loops(net)[1 if obj.Where == "Opening rims" else 0 :]
+    if obj.Where in NODE_RECIPES:
+        return [np.asarray(support_recipe(net, obj.Where.lower())[0].ids)]
+    if obj.Where == ELEMENTS:
+        if not obj.Elements:
+            raise fn.InvalidInput("Elements is empty: name edges or vertices of the source, such as Edge1")
+        return [nodes_of_element(obj.Net, element) for element in obj.Elements]
+    if obj.Where == POINTS:
+        return [_nearest(obj, net)]
+    wrong = next((node for node in obj.Nodes if not 0 <= node < len(net.nodes)), None)
+    if wrong is not None:
+        raise fn.InvalidInput(
+            f"Nodes holds {wrong}, but the net has nodes 0 to {len(net.nodes) - 1}: correct it, or pick "
+            "points or edges, which another step leaves where they are"
+        )
+    return [np.array(obj.Nodes, dtype=int)]
+
+
+def _nearest(obj, net):
+    """The node nearest to each of Points, on the unit square of the face."""
+    if net.lattice is None:
+        raise fn.InvalidInput(
+            "Points are (u, v) of one face: this net lies on none, so choose Edges or Nodes"
+        )
+    uv = net.lattice.uv[:, ::-1] if obj.Net.SampledSwap else net.lattice.uv
+    closed = np.array([obj.Net.ClosedU, obj.Net.ClosedV])
+    found = []
+    for at, point in enumerate(obj.Points):
+        if not (-1e-9 <= point.x <= 1 + 1e-9 and -1e-9 <= point.y <= 1 + 1e-9):
+            raise fn.InvalidInput(
+                f"Points[{at}] is ({point.x:g}, {point.y:g}): give u and v between 0 and 1, shares of the "
+                "face's length"
+            )
+        away = np.abs(uv - (point.x, point.y))
+        away = np.where(closed, np.minimum(away, 1.0 - away), away)
+        found.append(int(np.argmin((away**2).sum(axis=1))))
+    return np.array(found, dtype=int)
+
+
+def supports_of(obj, net, nodes):
+    """The fn supports of a Support on these nodes; none if it frees them.
+
+    Raises InvalidInput naming Direction, or why there is no vertical plane.
+    """
+    stiffness = amount(obj, "Stiffness", "N/m") or float("inf")
+    if obj.Kind == FIXED:
+        return [fn.Fixed(nodes, stiffness=stiffness)]
+    if obj.Kind == VERTICAL_LINE:
+        return [fn.OnLine(nodes, direction=(0, 0, 1), stiffness=stiffness)]
+    if obj.Kind == VERTICAL_PLANE:
+        return _on_vertical_planes(obj, net, nodes, stiffness)
+    if obj.Kind == FREE:
+        return []
+    if obj.Direction.Length == 0.0:
+        raise fn.InvalidInput("Direction is zero: give the normal of the plane or the direction of the line")
+    direction = tuple(obj.Direction)
+    if obj.Kind == PLANE:
+        return [fn.OnPlane(nodes, normal=direction, stiffness=stiffness)]
+    return [fn.OnLine(nodes, direction=direction, stiffness=stiffness)]
+
+
+def _on_vertical_planes(obj, net, nodes, stiffness):
+    """Each node on the vertical plane along its edge or border."""
+    lines = [line for line in _lines(obj, net) if len(line) > 1]
+    if obj.Where not in (ELEMENTS, "Boundary", "Opening rims") or not lines:
+        raise fn.InvalidInput(
+            f"Kind: {obj.Where} have no direction along which a vertical plane could stand; choose "
+            f"'{PLANE}' and give its normal as Direction, or say where by {ELEMENTS}"
+        )
+    planes = []
+    for line in lines:
+        if obj.Where == ELEMENTS:
+            planes += vertical_planes(*_lengthened(net.nodes, line))
+        else:
+            planes += vertical_planes(net.nodes, [line], closed=True)
+    return [fn.OnPlane(plane.ids, normal=plane.normal, stiffness=stiffness) for plane in planes]
+
+
+def _lengthened(nodes, line):
+    """(nodes, [line]) with a point more beyond each end, so that the line goes on there as it came."""
+    extra = 2 * nodes[line[[0, -1]]] - nodes[line[[1, -2]]]
+    return np.vstack([nodes, extra]), [np.concatenate([[len(nodes)], line, [len(nodes) + 1]])]
+
+
+def supports_of_gridshell(obj, net):
+    """The fn supports of a Gridshell: those of its recipe and of its Supports, less what these free.
+
+    Raises InvalidInput naming SupportRecipe or the Support.
+    """
+    if obj.SupportRecipe == "None" and not obj.Supports:
+        raise fn.InvalidInput(
+            "SupportRecipe is None, and a shell without supports falls: choose "
+            + ", ".join(recipe for recipe in RECIPES if recipe != "None")
+            + ", or give it Supports"
+        )
+    try:
+        supports = support_recipe(net, obj.SupportRecipe.lower())
+    except fn.InvalidInput as error:
+        raise fn.InvalidInput(f"SupportRecipe: {error}") from None
+    freed = set()
+    for support in obj.Supports:
+        if getattr(support, "FunicularType", "") != "Support" or support.Net != obj.Net:
+            raise fn.InvalidInput(
+                f"Supports holds {support.Label}, which is no support of the net {obj.Net.Label}: take it "
+                "out, or set its Net"
+            )
+        try:
+            nodes = nodes_of_support(support, net)
+            supports += supports_of(support, net, nodes)
+        except fn.InvalidInput as error:
+            raise fn.InvalidInput(f"{support.Label}: {error}") from None
+        if support.Kind == FREE:
+            freed.update(nodes.tolist())
+    return [kept for support in supports if (kept := _without(support, freed))]
+
+
+def _without(support, freed):
+    """The same support of the nodes that are not freed; None where none is left."""
+    if not freed.intersection(support.ids.tolist()):
+        return support
+    ids = [node for node in support.ids.tolist() if node not in freed]
+    if not ids:
+        return None
+    if isinstance(support, fn.OnLine):
+        return fn.OnLine(ids, direction=support.direction, stiffness=support.stiffness)
+    if isinstance(support, fn.OnPlane):
+        return fn.OnPlane(ids, normal=support.normal, stiffness=support.stiffness)
+    return fn.Fixed(ids, stiffness=support.stiffness)
