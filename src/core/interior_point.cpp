@@ -11,8 +11,7 @@ namespace funicular {
 
 namespace {
 
-// Far above what members will carry in the end, and close to taut: from there the path is short.
-constexpr double first_density = 300;
+// Close to taut: from there the path is short.
 constexpr double first_slack = 0.01;
 // Where it is not so short, as from a flat sheet that will stand on its corners, only small parts of the
 // steps can be taken from early on, and it would be crept along. Then it is begun so much farther from its
@@ -88,8 +87,8 @@ void InteriorPoint::begin_path(const Points &x, const Equilibrium &equilibrium) 
     const double size = scene.net().size() / scene.scale().length;
     typical_density_ = whole_load / size / std::sqrt(member_count);
     typical_product_ = typical_density_ * rest.squaredNorm() / member_count;
-    densities_ = (0.5 * most_of_stiffness * axial.stiffness())
-                     .cwiseMin(first_density * std::pow(farther, beginnings_) * typical_density_);
+    densities_ = (0.5 * most_of_stiffness * axial.stiffness()).cwiseMin(first_density_ * typical_density_);
+    first_density_ *= farther;
     ++beginnings_;
     slacks_ = first_slack * rest.array().square();
     start_ = x;
@@ -108,6 +107,7 @@ void InteriorPoint::use_newton(Phase phase, const Equilibrium &equilibrium) {
 
 bool InteriorPoint::restart() {
     phase_ = Phase::begun;
+    first_density_ = first_density_from_near;
     beginnings_ = 0;
     return true;
 }

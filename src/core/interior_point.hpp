@@ -47,6 +47,9 @@ public:
 private:
     /// If so much of a step to the end of the path can be taken, it tells how far that is.
     static constexpr double length_near_end = 0.9;
+    /// Far above what members will carry in the end: from there the path is short. The shape of another scene
+    /// is nearer to it than a source.
+    static constexpr double first_density_from_afar = 300, first_density_from_near = 30;
     enum class Phase { begun, newton, path, newton_at_last };
     struct Step {
         Points motion;
@@ -82,7 +85,9 @@ private:
     std::optional<double> last_motion_;
     Goal goal_;
     int steps_ = 0;
-    /// How often the path was begun.
+    /// In typical ones, when the path is begun next.
+    double first_density_ = first_density_from_afar;
+    /// How often it was begun.
     int beginnings_ = 0;
     int short_steps_ = 0;
 
