@@ -7,6 +7,7 @@ import rules
 GUI = rules.PACKAGE / "gui"
 NUMERIC = [rules.PACKAGE / "__init__.py", rules.PACKAGE / "_native.py", rules.PACKAGE / "recipes.py"]
 NUMERIC += rules.sources(".py", under=rules.PACKAGE / "files")
+NUMERIC += [rules.PACKAGE / f"{name}.py" for name in ("topology", "wording", "mesh_repair", "mesh_source")]
 SOLVER = {"equilibrium", "newton", "relaxation", "solve", "solver"}
 
 
