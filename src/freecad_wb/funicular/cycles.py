@@ -35,7 +35,7 @@ def panels_of(nodes, members, remarks):
     closed = _without_dangling(len(nodes), members)
     if not closed.all():
         remarks.append(
-            f"{counted(int((~closed).sum()), 'member')} with a free end, or only leading to one, without a "
+            f"{counted(int((~closed).sum()), 'member')} with a free end, or leading to one only, without a "
             f"panel (first: {np.flatnonzero(~closed)[0]})."
         )
     numbers = np.flatnonzero(closed)
@@ -110,17 +110,21 @@ def _faces(flat, members):
     before[order] = order[np.where(place == first, last, place - 1)]
     # The face on the left goes on with the side that is clockwise from the way back.
     following = before[(place + len(members)) % len(order)].tolist()
-    faces, walked = [], np.zeros(len(order), dtype=bool)
+    x, y = (flat - flat[start].mean(axis=0)).T
+    doubled_areas = (x[start] * y[end] - x[end] * y[start]).tolist()
+    faces, areas, walked, start = [], [], [False] * len(order), start.tolist()
     for side in range(len(order)):
-        face = []
+        face, area = [], 0.0
         while not walked[side]:
             walked[side] = True
-            face.append(side)
+            face.append(start[side])
+            area += doubled_areas[side]
             side = following[side]
         if face:
-            x, y = (flat[start[face]] - flat[start[face[0]]]).T
-            if (x * np.roll(y, -1) - y * np.roll(x, -1)).sum() > 0.0:
-                faces.append(start[face].tolist())
+            faces.append(face)
+            areas.append(area)
+    # The one around all is walked the other way, with an area below zero.
+    del faces[int(np.argmin(areas))]
     return faces
 
 
@@ -131,7 +135,7 @@ def _sound(nodes, faces, remarks):
         panel = tuple(face[lowest:] + face[:lowest])
         if len(set(face)) < len(face):
             twisted.append(panel)
-        elif _corners(nodes[list(panel)]) > 4 and not _is_flat(nodes[list(panel)]):
+        elif len(face) > 4 and _corners(nodes[face]) > 4 and not _is_flat(nodes[face]):
             warped.append(panel)
         else:
             panels.append(panel)
@@ -147,10 +151,10 @@ def _sound(nodes, faces, remarks):
 
 
 def _corners(around):
-    along = np.roll(around, -1, axis=0) - around
-    along /= np.linalg.norm(along, axis=1, keepdims=True)
-    turns = np.linalg.norm(along - np.roll(along, 1, axis=0), axis=1)
-    return np.count_nonzero(turns > STRAIGHT)
+    along = around - around[np.arange(len(around)) - 1]
+    along /= np.sqrt((along**2).sum(axis=1))[:, None]
+    turns = along - along[np.arange(len(around)) - 1]
+    return np.count_nonzero((turns**2).sum(axis=1) > STRAIGHT**2)
 
 
 def _is_flat(around):

@@ -4,6 +4,7 @@
 Lengths are mm. Edges are asked by their own methods, so that nothing of FreeCAD is imported here.
 """
 
+from collections import Counter
 from dataclasses import dataclass
 from math import ceil
 
@@ -12,7 +13,8 @@ import numpy as np
 import funicular as fn
 
 from . import cycles, topology
-from .crossings import divided, overlapping_boxes
+from .crossings import divided
+from .curves import met_inside
 from .wording import counted, is_or_are, listed
 
 # Of the size of the wireframe: ends that differ by no more in each coordinate are one node.
@@ -71,22 +73,26 @@ def net_of_edges(shapes, name, chord=None):
         raise fn.InvalidInput(f"chord is {chord:g} mm: give a length greater than zero")
     remarks = []
     edges, dropped = _read(shapes, name)
-    tolerance = WELD * _size(edges)
-    _divide_curves(edges, tolerance)
+    size = _size(edges)
+    tolerance = WELD * size
+    _divide_curves(edges, size, tolerance)
     for edge in edges:
         _choose_parts(edge, chord, name)
-    points, number, begin = _points_along(edges, tolerance)
-    if _bulge_apart(edges, number, begin):
+    while True:
         points, number, begin = _points_along(edges, tolerance)
-    chains = [_distinct(number[a:b]) for a, b in zip(begin[:-1], begin[1:])]
-    segments = np.array([pair for chain in chains for pair in zip(chain, chain[1:])], dtype=np.int64)
-    if not len(segments):
-        raise fn.InvalidInput(f"{name} has no edges with a length: pick a sketch, a wire or other edges")
-    before = len(points)
-    points, pieces = divided(points, segments.reshape(-1, 2), tolerance)
+        of_segment, segments = _segments(edges, number, begin)
+        if not len(segments):
+            raise fn.InvalidInput(f"{name} has no edges with a length: pick a sketch, a wire or other edges")
+        before = len(points)
+        points, pieces = divided(points, segments, tolerance)
+        if not _bulge_apart(edges, of_segment, pieces):
+            break
     if len(points) > before:
         remarks.append(f"{counted(len(points) - before, 'node')} where edges cross without a vertex.")
-    chains = _joined(chains, pieces)
+    chains = [number[at : at + 1].tolist() for at in begin[:-1]]
+    for (edge, _), piece in zip(of_segment, pieces):
+        chains[edge] += piece[1:]
+    chains = [np.array(chain, dtype=np.int64) for chain in chains]
     dropped += [edge.name for edge, chain in zip(edges, chains) if len(chain) < 2]
     members, again = _members(edges, chains)
     _tell(edges, dropped, again, remarks)
@@ -132,45 +138,22 @@ def _size(edges):
     return float(np.linalg.norm(np.ptp(np.array(points), axis=0))) if points else 0.0
 
 
-def _divide_curves(edges, tolerance):
+def _divide_curves(edges, size, tolerance):
     """Gives curved edges a knot wherever another edge meets them inside."""
     if not any(edge.curved for edge in edges):
         return
-    boxes = [edge.shape.BoundBox for edge in edges]
-    low = np.array([(box.XMin, box.YMin, box.ZMin) for box in boxes]) - tolerance
-    high = np.array([(box.XMax, box.YMax, box.ZMax) for box in boxes]) + tolerance
-    curved = np.array([edge.curved for edge in edges])
-    for i, j in overlapping_boxes(low, high):
-        either = curved[i] | curved[j]
-        for a, b in zip(i[either].tolist(), j[either].tolist()):
-            _meet(edges[a], edges[b], tolerance)
-    for edge in edges:
-        edge.knots = _apart(edge, tolerance)
+    met = met_inside([edge.shape for edge in edges], [edge.curved for edge in edges], size, tolerance)
+    for edge, parameters in zip(edges, met):
+        edge.knots = _apart(edge, parameters, tolerance)
         edge.parts = [1] * (len(edge.knots) - 1)
 
 
-def _meet(one, other, tolerance):
-    """Gives two edges, as far as they are curved, knots where they meet."""
-    distance, _, where = one.shape.distToShape(other.shape)
-    if distance > tolerance:
-        return
-    for edge, side in ((one, 0), (other, 3)):
-        if edge.curved:
-            edge.knots += [found[side + 2] for found in where if found[side] == "Edge"]
-    # An end near the other edge is no nearest point where the edges also cross.
-    for edge, ending in ((one, other), (other, one)):
-        for vertex in ending.shape.Vertexes if edge.curved else ():
-            distance, _, where = edge.shape.distToShape(vertex)
-            if distance <= tolerance:
-                edge.knots += [found[2] for found in where if found[0] == "Edge"]
-
-
-def _apart(edge, tolerance):
-    """The knots of an edge in order, without those so near that they are one node."""
-    first, last = edge.knots[0], edge.knots[1]
+def _apart(edge, parameters, tolerance):
+    """The ends of an edge and the parameters between them, in order, without those that are one node."""
+    first, last = edge.knots
     at_ends = edge.shape.valueAt(first), edge.shape.valueAt(last)
     knots, points = [first], [at_ends[0]]
-    for knot in sorted(edge.knots[2:]):
+    for knot in sorted(parameters):
         point = edge.shape.valueAt(knot)
         if all(point.distanceToPoint(taken) > 2.0 * tolerance for taken in (*at_ends, points[-1])):
             knots.append(knot)
@@ -198,7 +181,7 @@ def _choose_parts(edge, chord, name):
 
 
 def _points_along(edges, tolerance):
-    """(points, number, begin): nodes, the node of each point along the edges, where each edge begins there."""
+    """(points, number, begin): nodes, the node of each point along the edges, where each edge begins."""
     points, begin = [], [0]
     for edge in edges:
         parameters = edge.knots[:1]
@@ -215,36 +198,36 @@ def _points_along(edges, tolerance):
     return points[kept], number, begin
 
 
-def _bulge_apart(edges, number, begin):
-    """Divides curves in two where their one chord would be that of another edge; whether there were any."""
-    chords = {}
-    for edge, at in zip(edges, begin):
-        for k, parts in enumerate(edge.parts):
-            if parts == 1:
-                pair = frozenset(number[[at, at + 1]].tolist())
-                chords.setdefault(pair, []).append((edge, k))
-            at += parts
-    doubled = [each for same in chords.values() if len(same) > 1 for each in same if each[0].curved]
-    for edge, k in doubled:
-        edge.parts[k] = 2
+def _segments(edges, number, begin):
+    """([(edge, which of its parts), …], (m, 2) nodes) of what runs straight between points along the edges.
+
+    The second of the pair is None for a piece of an edge that is straight, or divided there already.
+    """
+    of_segment, segments = [], []
+    for count, (edge, at) in enumerate(zip(edges, begin)):
+        of_point = [
+            k if edge.curved and parts == 1 else None
+            for k, parts in enumerate(edge.parts)
+            for _ in range(parts)
+        ]
+        for part, a, b in zip(of_point, number[at:].tolist(), number[at + 1 :].tolist()):
+            if a != b:
+                of_segment.append((count, part))
+                segments.append((a, b))
+    return of_segment, np.array(segments, dtype=np.int64).reshape(-1, 2)
+
+
+def _bulge_apart(edges, of_segment, pieces):
+    """Divides curves in two where their one chord lies on other members; whether there were any."""
+    times = Counter(frozenset(pair) for piece in pieces for pair in zip(piece, piece[1:]))
+    doubled = [
+        (edge, part)
+        for (edge, part), piece in zip(of_segment, pieces)
+        if part is not None and all(times[frozenset(pair)] > 1 for pair in zip(piece, piece[1:]))
+    ]
+    for edge, part in doubled:
+        edges[edge].parts[part] = 2
     return bool(doubled)
-
-
-def _distinct(nodes):
-    nodes = nodes.tolist()
-    return nodes[:1] + [b for a, b in zip(nodes, nodes[1:]) if a != b]
-
-
-def _joined(chains, pieces):
-    """The nodes along each edge, of the nodes along its segments."""
-    joined, at = [], 0
-    for chain in chains:
-        of_edge = chain[:1]
-        for piece in pieces[at : at + len(chain) - 1]:
-            of_edge = of_edge + piece[1:]
-        joined.append(np.array(of_edge, dtype=np.int64))
-        at += len(chain) - 1
-    return joined
 
 
 def _members(edges, chains):
