@@ -301,8 +301,9 @@ def test_a_sketch_becomes_a_net(doc):
 
 
 def test_draft_wires_become_a_net(doc, monkeypatch):
-    # FreeCAD's own programs put the folder of each workbench on the path.
-    monkeypatch.syspath_prepend(os.path.join(App.getResourceDir(), "Mod", "Draft"))
+    # What FreeCAD's own programs put on the path: the folder of each workbench, and of what they need.
+    for folder in ("Ext", os.path.join("Mod", "Draft")):
+        monkeypatch.syspath_prepend(os.path.join(App.getResourceDir(), folder))
     import Draft
 
     wires = [
