@@ -7,6 +7,8 @@ import rules
 GUI = rules.PACKAGE / "gui"
 NUMERIC = [rules.PACKAGE / "__init__.py", rules.PACKAGE / "_native.py", rules.PACKAGE / "recipes.py"]
 NUMERIC += rules.sources(".py", under=rules.PACKAGE / "files")
+MESHES_AND_WIRES = "topology wording mesh_repair mesh_source crossings curves cycles wireframe"
+NUMERIC += [rules.PACKAGE / f"{name}.py" for name in MESHES_AND_WIRES.split()]
 SOLVER = {"equilibrium", "newton", "relaxation", "solve", "solver"}
 
 

@@ -44,6 +44,24 @@ def read_mesh(path):
         Unknown suffix; or the content is wrong: the message names file, line (in a binary file: element)
         and index.
     """
+    return _read(path).net()
+
+
+def read_parts(path):
+    """Read a mesh from an .obj, .ply, .stl or .off file, its lines apart from its faces.
+
+    Returns
+    -------
+    vertices : (n, 3) float64 array, m
+    lines : list of pairs of vertex indices, as the file has them
+    faces : list of tuples of vertex indices
+
+    Raises as `read_mesh` does.
+    """
+    return _read(path).parts()
+
+
+def _read(path):
     form = _format_of(path)
     with open(path, "rb") as file:
         content = file.read()
@@ -51,7 +69,7 @@ def read_mesh(path):
     if not content.strip():
         raise source.error("the file is empty")
     form.read(source, content)
-    return source.net()
+    return source
 
 
 def write_mesh(path, nodes, members, panels):

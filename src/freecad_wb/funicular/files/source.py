@@ -78,6 +78,11 @@ class Source:
 
     def net(self):
         """Check everything that was read and make the net of it."""
+        nodes, lines, panels = self.parts()
+        return nodes, np.array(members_of(lines, panels), dtype=np.int64).reshape(-1, 2), panels
+
+    def parts(self):
+        """Check everything that was read: vertices, lines as pairs of vertices, faces."""
         self.place = None
         if not len(self.nodes):
             raise self.error("there are no vertices in the file")
@@ -87,9 +92,7 @@ class Source:
         for kind, entries in (("face", self.faces), ("line", self.lines)):
             for number, (place, indices) in enumerate(entries):
                 self.check_indices(f"{kind} {number}", place, indices)
-        panels = [face for _, face in self.faces]
-        members = members_of([line for _, line in self.lines], panels)
-        return nodes, np.array(members, dtype=np.int64).reshape(-1, 2), panels
+        return nodes, [line for _, line in self.lines], [face for _, face in self.faces]
 
     def finite_nodes(self):
         nodes = np.array(self.nodes, dtype=np.float64).reshape(-1, 3)

@@ -35,12 +35,12 @@ def read(source, content):
         size = np.linalg.norm(np.ptp(corners, axis=0)) if len(corners) else 0.0
     if not np.isfinite(size):
         raise source.error("the vertices span more than a floating-point number holds", "")
-    source.nodes, ids = _weld(corners, WELD * size)
+    source.nodes, ids = weld(corners, WELD * size)
     # A triangle that welding closes has no area and says nothing about the surface.
     source.faces = [(None, tuple(face)) for face in ids.reshape(-1, 3).tolist() if len(set(face)) == 3]
 
 
-def _weld(points, tolerance):
+def weld(points, tolerance):
     """Points within the tolerance of each other, by coordinate, become the first of them.
 
     Returns the points that stay, in order of first appearance, and for every point the index of its own.
