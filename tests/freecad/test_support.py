@@ -210,12 +210,13 @@ def test_elements_of_a_dome_and_of_several_faces(doc, dome):
 
 
 def test_opening_rims_are_the_borders_but_the_longest():
-    from funicular.recipes import border_loops, support_recipe
+    from funicular.recipes import support_recipe
+    from funicular.topology import rims
 
     sheet = fn.Net.grid(6, 6, 1)
     panels = [panel for panel in sheet.panels if not {24} & set(panel)]
     net = fn.Net(sheet.nodes, [m for m in sheet.members.tolist() if 24 not in m] + [[24, 17]], panels)
-    outer, rim = border_loops(net)
+    outer, rim = rims(net.nodes, net.panels)
     assert len(outer) == 24 and len(rim) == 8
     (support,) = support_recipe(net, "opening rims")
     assert sorted(support.ids) == sorted(rim)

@@ -25,12 +25,14 @@ from .features.support import Support
 FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell, Support)}
 
 
-def make_net(doc, source, **properties):
-    """Add a Net on one or more faces and return it; doc.recompute() then samples them.
+def make_net(doc, source=None, **properties):
+    """Add a Net on one or more faces, a mesh or edges and return it; doc.recompute() then lays it there.
 
     source: (object, ["Face1"]), (object, "Face1"), (object, ["Face1", "Face2"]) of neighbours, or an object
     that has a single face or is a shell; a face may be named by its path from a container or a link,
-    (part, "Box.Face6"). properties: see Net.
+    (part, "Box.Face6"). A mesh object becomes a net as it is, and so do a mesh file (File="roof.obj", without
+    source) and edges: a sketch, a wire, (object, ["Edge1", "Edge4"]). Width and Depth without source make a
+    flat sheet. properties: see Net.
     Raises ValueError for a source that does not say one object, a name that is no property of a Net, a value
     that the property does not take; then the document is as before.
     """
@@ -44,8 +46,13 @@ def make_gridshell(doc, source=None, net=None, **properties):
     Give source (as for make_net) or net, a Net that other gridshells may use as well. properties: those of
     the Gridshell, and of the new Net. Raises ValueError as make_net does; then the document is as before.
     """
-    if (source is None) == (net is None):
+    if source is not None and net is not None:
         raise ValueError("give either source, what to make a net on, or net, a Net that is there already")
+    if source is None and net is None and not {"File", "Width", "Depth"} & set(properties):
+        raise ValueError(
+            "give source, what to make a net on, or net, a Net that is there already, or File, or Width and "
+            "Depth"
+        )
     if net is not None and getattr(net, MARKER, "") != Net.TYPE:
         raise ValueError(f"net is {getattr(net, 'Label', net)!r}, which is not a Net")
     if net is not None and net.Document != doc:
@@ -121,14 +128,16 @@ def attach_view_provider(obj):
 
 def _make_net(doc, source, properties):
     _check_names(Net, properties)
-    source, subs = _one_source(source)
-    if source.Document != doc:
-        raise ValueError(
-            f"source {source.Label} is in the document {source.Document.Label}: bring it into {doc.Label}, "
-            "for instance as a link"
-        )
+    if source is not None:
+        source, subs = _one_source(source)
+        if source.Document != doc:
+            raise ValueError(
+                f"source {source.Label} is in the document {source.Document.Label}: bring it into "
+                f"{doc.Label}, for instance as a link"
+            )
     obj = _add(doc, Net)
-    obj.Source = _from_the_root(source, subs)
+    if source is not None:
+        obj.Source = _from_the_root(source, subs)
     _set(obj, Net, properties)
     return obj
 

@@ -5,6 +5,8 @@ import numpy as np
 
 import funicular as fn
 
+from . import topology
+
 # A node counts as lowest within this part of the net's size: less than meets the eye, more than rounding.
 LEVEL = 1e-4
 
@@ -53,7 +55,11 @@ def _corners(net):
 
 def _corners_and_border_planes(net):
     corners = _corner_nodes(net, "corners and border planes")
-    sides = net.lattice.sides.values() if net.lattice else _between(border_loops(net)[0], corners)
+    sides = (
+        net.lattice.sides.values()
+        if net.lattice
+        else _between(topology.rims(net.nodes, net.panels)[0], corners)
+    )
     try:
         return [fn.Fixed(corners), *vertical_planes(net.nodes, sides)]
     except fn.InvalidInput as error:
@@ -63,7 +69,7 @@ def _corners_and_border_planes(net):
 
 
 def _opening_rims(net):
-    loops = border_loops(net)[1:]
+    loops = topology.rims(net.nodes, net.panels)[1:]
     if not loops:
         raise fn.InvalidInput("recipe 'opening rims': the net has no opening; choose 'boundary' instead")
     return [fn.Fixed(np.concatenate(loops))]
@@ -101,44 +107,9 @@ def _corner_nodes(net, recipe):
     raise fn.InvalidInput(f"recipe '{recipe}': {reason}; choose '{other}' instead")
 
 
-def border_loops(net):
-    """The closed borders of a net, each as its nodes in order; the longest, which is the outer one, first.
-
-    Where borders meet in a node, a loop may run through it more than once.
-    """
-    after = {}
-    for a, b in _border_edges(net):
-        after.setdefault(a, []).append(b)
-    loops = []
-    while after:
-        start = min(after)
-        loop, node = [], start
-        while node in after:
-            loop.append(node)
-            following = after[node].pop(0)
-            if not after[node]:
-                del after[node]
-            node = following
-        loops.append(np.array(loop))
-    return sorted(loops, key=lambda loop: -_length(net.nodes, loop))
-
-
-def _border_edges(net):
-    """(from, to) of the panels' edges that no other panel shares, as the panels run; ordered."""
-    edges = {}
-    for panel in net.panels:
-        for a, b in zip(panel, panel[1:] + panel[:1]):
-            edges.setdefault((min(a, b), max(a, b)), []).append((a, b))
-    return sorted(of_edge[0] for of_edge in edges.values() if len(of_edge) == 1)
-
-
-def _length(nodes, loop):
-    return float(np.linalg.norm(nodes[np.roll(loop, -1)] - nodes[loop], axis=1).sum())
-
-
 def _turns(net):
     """Nodes where the outer border turns sharply."""
-    loops = border_loops(net)
+    loops = topology.rims(net.nodes, net.panels)
     if not loops:
         return np.array([], dtype=int)
     loop = loops[0]

@@ -7,11 +7,13 @@ import numpy as np
 
 import funicular as fn
 
-from ..laying import Division, lattice_on, lay_on_face
+from ..laying import Division, Laid, lattice_on, lay_on_face
+from ..mesh_source import mesh_of, net_of_mesh, read_mesh_file
 from ..several_faces import lay_on_faces
+from ..wireframe import net_of_edges
 from .elements import nodes_on_elements
 from .feature import Feature, Property, amount
-from .source import read_source
+from .source import Edges, File, Mesh, read_source
 
 # fn.patterns() as an architect reads them; written out, as this module has to load without the core.
 PATTERNS = (
@@ -73,6 +75,44 @@ class Net(Feature):
             SPACINGS[0],
             SPACINGS,
         ),
+        Property(
+            "App::PropertyLength",
+            "Width",
+            "Sheet",
+            "Of a flat sheet, where there is no source",
+            0.0,
+            unit="mm",
+        ),
+        Property(
+            "App::PropertyLength",
+            "Depth",
+            "Sheet",
+            "Of a flat sheet, where there is no source",
+            0.0,
+            unit="mm",
+        ),
+        Property(
+            "App::PropertyFile",
+            "File",
+            "Mesh",
+            "A mesh file (obj, ply, stl, off; metres) that is taken as it is, where there is no source",
+        ),
+        Property(
+            "App::PropertyLength",
+            "Weld",
+            "Mesh",
+            "Vertices of a mesh as near as this are one node; 0 for 1e-6 of its size",
+            0.0,
+            unit="mm",
+        ),
+        Property(
+            "App::PropertyLength",
+            "Chord",
+            "Edges",
+            "Curved edges are divided into parts no longer than this; 0 for one member each",
+            0.0,
+            unit="mm",
+        ),
         Property("App::PropertyString", "Remarks", "Net", "What came out otherwise", mode=("ReadOnly",)),
         *(
             Property("App::PropertyInteger", name, "Net", tooltip, mode=("ReadOnly",))
@@ -114,15 +154,47 @@ class Net(Feature):
 
     def compute(self, obj):
         source = read_source(obj)
-        division = _division(obj)
-        if len(source.faces) == 1:
-            laid = lay_on_face(source.faces[0], source.names[0], division)
-        else:
-            laid = lay_on_faces(source, division)
-        on_elements = nodes_on_elements(source.body, source.faces, laid.nodes)
+        laid, on_elements = _lay(obj, source)
         _write(obj, laid)
         obj.SourceElements, obj.ElementNodes = list(on_elements), flat_panels(on_elements.values())
-        obj.SourceBody = source.described
+        obj.SourceBody = getattr(source, "described", "")
+
+
+def _lay(obj, source):
+    """(Laid, {element of the source: its nodes}) on what a Net lies on."""
+    if isinstance(source, Mesh):
+        return _of(net_of_mesh(*mesh_of(source.obj, source.name), source.name, _weld(obj))), {}
+    if isinstance(source, File):
+        try:
+            points, facets, lines = read_mesh_file(source.path)
+        except OSError as error:
+            raise fn.InvalidInput(
+                f"File {source.path} cannot be read ({error.strerror}): choose another"
+            ) from None
+        return _of(net_of_mesh(points, facets, f"File {source.path}", _weld(obj), lines)), {}
+    if isinstance(source, Edges):
+        wires = net_of_edges(source.shapes, source.name, amount(obj, "Chord", "mm") or None)
+        return _of(wires), wires.edge_nodes if len(source.shapes) == 1 else {}
+    division = _division(obj)
+    if len(source.faces) == 1:
+        laid = lay_on_face(source.faces[0], source.names[0], division)
+    else:
+        laid = lay_on_faces(source, division)
+    return laid, nodes_on_elements(source.body, source.faces, laid.nodes)
+
+
+def _weld(obj):
+    return amount(obj, "Weld", "mm") or None
+
+
+def _of(made):
+    """The Laid net of a MeshNet or a WireNet."""
+    return Laid(
+        made.nodes,
+        made.members,
+        made.panels,
+        remarks=tuple(remark.rstrip(".") for remark in made.remarks),
+    )
 
 
 def _division(obj):

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the Source of a Net says: which faces of which body it lies on."""
+"""What the Source of a Net says: faces of a body, a mesh, a mesh file, edges, or a flat sheet."""
 
 from dataclasses import dataclass
 
 import FreeCAD as App
+import Part
 
 import funicular as fn
+
+from .feature import amount
 
 
 @dataclass(frozen=True)
@@ -22,18 +25,44 @@ class Faces:
     described: str
 
 
+@dataclass(frozen=True)
+class Mesh:
+    """A Mesh::Feature, and how sentences call it."""
+
+    obj: object
+    name: str
+
+
+@dataclass(frozen=True)
+class File:
+    """A mesh file."""
+
+    path: str
+
+
+@dataclass(frozen=True)
+class Edges:
+    """Part shapes of edges, placed as they stand, and how sentences call them."""
+
+    shapes: tuple
+    name: str
+
+
 def read_source(obj):
-    """The Faces of a Net's Source. Raises InvalidInput that says why there are none, and what to do."""
+    """The Faces, Mesh, File or Edges that a Net lies on; those of a flat sheet are Faces.
+
+    Raises InvalidInput that says why there are none, and what to do.
+    """
     if obj.Source is None:
-        raise fn.InvalidInput(
-            "Source is empty (no face was picked, or its object was deleted): set it to one face, "
-            'such as (object, ["Face1"])'
-        )
+        return _without_source(obj)
     source, subs = obj.Source
     if source in obj.InListRecursive:
         raise fn.InvalidInput(
             f"{obj.Label} lies inside {source.Label}, which holds its own face: move it out of {source.Label}"
         )
+    inner = source.getSubObjectList(subs[0] if subs else "")[-1:] or [source]
+    if inner[0].isDerivedFrom("Mesh::Feature"):
+        return Mesh(inner[0], f"Source {inner[0].Label}")
     paths, elements = zip(*(_split(sub) for sub in [sub for sub in subs if sub] or [""]))
     if len(set(paths)) > 1:
         raise fn.InvalidInput(
@@ -48,6 +77,9 @@ def read_source(obj):
             "or pick another face"
         )
     count = len(body.Faces)
+    if _are_edges(elements, body):
+        shapes = [source.getSubObject(path + element) if element else body for element in elements]
+        return Edges(_edges(source, path, elements, shapes), f"Source {source.Label}")
     if not any(elements):
         if count != 1 and (count == 0 or body.Solids):
             raise fn.InvalidInput(f"Source {source.Label} has {count} faces: pick one of them")
@@ -67,6 +99,37 @@ def read_source(obj):
             f"changed (then: {obj.SourceBody}; now: {described}): pick the face again"
         )
     return Faces(faces, names, body, described)
+
+
+def _without_source(obj):
+    if obj.File:
+        return File(obj.File)
+    width, depth = amount(obj, "Width", "mm"), amount(obj, "Depth", "mm")
+    if width and depth:
+        sheet = Part.makePlane(width, depth)
+        return Faces((sheet,), ("the sheet",), sheet, "one face")
+    if width or depth:
+        raise fn.InvalidInput(
+            f"{'Depth' if width else 'Width'} is 0 mm: a flat sheet needs a Width and a Depth"
+        )
+    raise fn.InvalidInput(
+        "Source is empty (nothing was picked, or its object was deleted): set it to one face, "
+        'such as (object, ["Face1"]), to several, to a mesh or to edges; or give Width and Depth of a sheet'
+    )
+
+
+def _are_edges(elements, body):
+    named = [element for element in elements if element]
+    return all(element.startswith("Edge") for element in named) if named else not body.Faces and body.Edges
+
+
+def _edges(source, path, elements, shapes):
+    for element, shape in zip(elements, shapes):
+        if shape is None or shape.isNull():
+            raise fn.InvalidInput(
+                f"Source {source.Label}.{path}{element} no longer exists: pick the edges again"
+            )
+    return tuple(shapes)
 
 
 def _split(sub):

@@ -7,7 +7,8 @@ import Part
 
 import funicular as fn
 
-from ..recipes import border_loops, support_recipe, vertical_planes
+from .. import topology
+from ..recipes import support_recipe, vertical_planes
 from .feature import Feature, Property, amount
 from .net import nodes_of_element, net_of, positions_of
 
@@ -105,7 +106,7 @@ def _lines(obj, net):
     if obj.Where in ("Boundary", "Opening rims"):
         # Asked of the recipe, which says why there is none.
         support_recipe(net, obj.Where.lower())
-        return border_loops(net)[1 if obj.Where == "Opening rims" else 0 :]
+        return topology.rims(net.nodes, net.panels)[1 if obj.Where == "Opening rims" else 0 :]
     if obj.Where in NODE_RECIPES:
         return [np.asarray(support_recipe(net, obj.Where.lower())[0].ids)]
     if obj.Where == ELEMENTS:
