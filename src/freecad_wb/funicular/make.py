@@ -17,11 +17,12 @@ from numbers import Integral, Real
 
 import FreeCAD as App
 
+from .features.covering import Covering
 from .features.feature import MARKER, reason
 from .features.gridshell import Gridshell
 from .features.net import Net
 
-FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell)}
+FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell, Covering)}
 
 
 def make_net(doc, source, **properties):
@@ -68,6 +69,32 @@ def make_gridshell(doc, source=None, net=None, **properties):
         obj = _add(doc, Gridshell)
         obj.Net = net
         _set(obj, Gridshell, of_gridshell)
+        return obj
+
+
+def make_covering(doc, gridshell, **properties):
+    """Add a Covering of a Gridshell's panels and return it; doc.recompute() then makes its faces.
+
+    It is put into the container (App::Part) of the gridshell, if that lies in one. properties: see Covering.
+    Raises ValueError for what is no Gridshell of this document, a name that is no property of a Covering, a
+    value that the property does not take; then the document is as before.
+    """
+    if getattr(gridshell, MARKER, "") != Gridshell.TYPE:
+        shown = getattr(gridshell, "Label", gridshell)
+        raise ValueError(f"gridshell is {shown!r}, which is not a Gridshell: give one, or make it first")
+    if gridshell.Document != doc:
+        raise ValueError(
+            f"gridshell {gridshell.Label} is in the document {gridshell.Document.Label}: make its covering "
+            "there"
+        )
+    _check_names(Covering, properties)
+    with _one_undo_step(doc, "Make covering"):
+        obj = _add(doc, Covering)
+        container = gridshell.getParentGeoFeatureGroup()
+        if container is not None:
+            container.addObject(obj)
+        obj.Gridshell = gridshell
+        _set(obj, Covering, properties)
         return obj
 
 
@@ -150,7 +177,8 @@ def _from_the_root(obj, sub):
 
 
 def _settable(feature):
-    return [each for each in feature.PROPERTIES if not each.mode and each.name not in ("Source", "Net")]
+    links = ("Source", "Net", "Gridshell")
+    return [each for each in feature.PROPERTIES if not each.mode and each.name not in links]
 
 
 def _check_names(feature, properties, also=()):

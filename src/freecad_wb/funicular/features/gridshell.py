@@ -217,6 +217,16 @@ def scene_of(obj):
     return fn.Scene(net, supports=_supports(obj, net), effects=effects)
 
 
+def panels_of(obj):
+    """The panels of a Gridshell's last result: a tuple of node numbers around each, counted from 0."""
+    numbers, panels, start = obj.Panels, [], 0
+    while start < len(numbers):
+        end = start + 1 + numbers[start]
+        panels.append(tuple(numbers[start + 1 : end]))
+        start = end
+    return tuple(panels)
+
+
 def refuse_tilt(obj):
     """Raises InvalidInput if a Gridshell is placed so that it does not stand as it was found."""
     if _tilts(obj.Placement):

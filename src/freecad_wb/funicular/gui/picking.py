@@ -37,6 +37,30 @@ def selected_sources():
     return faces, nets
 
 
+def selected_gridshells():
+    """The Gridshells that are selected, as a whole or by their members; each once."""
+    shells = []
+    for selected in FreeCADGui.Selection.getSelectionEx("", 0):
+        for path in selected.SubElementNames or ("",):
+            obj = selected.Object.getSubObjectList(path)[-1]
+            if getattr(obj, "FunicularType", "") == "Gridshell" and obj not in shells:
+                shells.append(obj)
+    return shells
+
+
+def the_gridshell():
+    """The one Gridshell that is selected. Raises WrongSelection unless there is exactly one."""
+    shells = selected_gridshells()
+    if len(shells) != 1:
+        raise WrongSelection(
+            translate(
+                "{} gridshells are selected, and a covering lies on one. "
+                "Select a single Gridshell in the tree, then run Covering again."
+            ).format(len(shells))
+        )
+    return shells[0]
+
+
 def the_source():
     """The one thing that is selected: ((root object, [path of the face]), None) or (None, net).
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a Net and a Gridshell stand in the tree and in the 3D view. Class names are saved in users' files."""
+"""How Net, Gridshell and Covering stand in the tree and in the 3D view. Class names are saved in users' files."""
 
 import FreeCAD
 import FreeCADGui
@@ -13,9 +13,13 @@ from funicular.gui.qt import QT_TRANSLATE_NOOP
 COLOURING_RESULTS = ("Shape", "MemberForces", "TensionMembers")
 LINE_WIDTH = 3.0
 
+# A covering of light timber, through which the members are seen.
+TIMBER = (0.87, 0.77, 0.60)
+TRANSPARENCY = 30
+
 
 class ViewProvider:
-    """What both have in common: nothing is kept beside the properties, so nothing is saved with the proxy."""
+    """What all have in common: nothing is kept beside the properties, so nothing is saved with the proxy."""
 
     icon_name = ""
 
@@ -164,7 +168,22 @@ class ViewProviderGridshell(ViewProvider):
         return True
 
 
-VIEW_PROVIDERS = {"Net": ViewProviderNet, "Gridshell": ViewProviderGridshell}
+class ViewProviderCovering(ViewProvider):
+    """The panels of a gridshell, which stays beside it in the tree and in sight: a covering claims nothing."""
+
+    icon_name = "Funicular_Covering"
+
+    def __init__(self, vobj):
+        super().__init__(vobj)
+        vobj.ShapeColor = TIMBER
+        vobj.Transparency = TRANSPARENCY
+
+
+VIEW_PROVIDERS = {
+    "Net": ViewProviderNet,
+    "Gridshell": ViewProviderGridshell,
+    "Covering": ViewProviderCovering,
+}
 
 
 def _show_unless_shared(child, obj):
@@ -178,7 +197,7 @@ def _show_unless_shared(child, obj):
 def attach_view_provider(obj):
     """Give `obj` the view provider of its kind if it has none, as in a file that was saved without a window.
 
-    obj: a document object whose FunicularType is "Net" or "Gridshell".
+    obj: a document object whose FunicularType is a key of VIEW_PROVIDERS.
     """
     vobj = obj.ViewObject
     kind = VIEW_PROVIDERS[obj.FunicularType]
