@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How Net, Gridshell and Covering stand in the tree and in the 3D view. Class names are saved in users' files."""
+"""How our objects stand in the tree and in the 3D view. Class names are saved in users' files."""
 
 import FreeCAD
 import FreeCADGui
@@ -169,7 +169,7 @@ class ViewProviderGridshell(ViewProvider):
 
 
 class ViewProviderCovering(ViewProvider):
-    """The panels of a gridshell, which stays beside it in the tree and in sight: a covering claims nothing."""
+    """The panels of a gridshell, which stays in sight below them, and in the tree beside them."""
 
     icon_name = "Funicular_Covering"
 
