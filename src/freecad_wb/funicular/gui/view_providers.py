@@ -177,6 +177,8 @@ class ViewProviderCovering(ViewProvider):
         super().__init__(vobj)
         vobj.ShapeColor = TIMBER
         vobj.Transparency = TRANSPARENCY
+        # Lines of its own would lie on the members and hide the colours of their forces.
+        vobj.DisplayMode = "Shaded"
 
 
 VIEW_PROVIDERS = {
