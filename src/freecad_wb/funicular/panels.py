@@ -53,9 +53,14 @@ def triangles(nodes, panels):
             cut.append(tuple(panel))
             continue
         points.append(points[0][list(panel)].mean(axis=0, keepdims=True))
-        cut += [(a, b, middle) for a, b in zip(panel, (*panel[1:], panel[0]))]
+        cut += [(a, b, middle) for a, b in zip(panel, turned(panel))]
         middle += 1
     return np.concatenate(points), cut
+
+
+def turned(panel):
+    """The corners, each replaced by the one that follows it: zip(panel, turned(panel)) are the sides."""
+    return (*panel[1:], panel[0])
 
 
 def _by_corner_count(nodes, panels):

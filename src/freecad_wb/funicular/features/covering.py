@@ -6,7 +6,7 @@ import numpy as np
 
 import funicular as fn
 
-from ..panels import areas, best_planes, triangles
+from ..panels import areas, best_planes, turned
 from .feature import Feature, Property, amount
 from .gridshell import panels_of
 from .net import SHORTEST_EDGE, to_vectors
@@ -115,61 +115,56 @@ def _refuse_collapsed(nodes, panels, area):
             f"panel {number} (nodes {', '.join(map(str, panels[number]))}) has no area, its corners lie on "
             "one line: give the net larger steps, or the gridshell other supports"
         )
-    for number, panel in enumerate(panels):
-        corners = nodes[list(panel)]
-        sides = np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1)
-        if sides.min() <= SHORTEST_EDGE:
-            side = int(np.argmin(sides))
-            raise fn.InvalidInput(
-                f"panel {number} has a side without length, between nodes {panel[side - 1]} and "
-                f"{panel[side]}: give the net larger steps, or the gridshell other supports"
-            )
+    sides = [(number, *side) for number, panel in enumerate(panels) for side in zip(panel, turned(panel))]
+    numbers, starts, ends = np.array(sides).T
+    lengths = np.linalg.norm(nodes[starts] - nodes[ends], axis=1)
+    for side in np.flatnonzero(lengths <= SHORTEST_EDGE):
+        raise fn.InvalidInput(
+            f"panel {numbers[side]} has a side without length, between nodes {starts[side]} and "
+            f"{ends[side]}: give the net larger steps, or the gridshell other supports"
+        )
 
 
 def _items(nodes, panels, planes, planar, kind):
     """One shape for each panel, all with their normals on the side from which the corners run around."""
+    vectors, centres, normals = (to_vectors(points) for points in (nodes, *planes[:2]))
     items = []
     for number, panel in enumerate(panels):
-        corners = nodes[list(panel)]
+        corners = [vectors[node] for node in panel]
         quad, cut = len(panel) == 4, kind == "Triangles" and len(panel) > 3
         item = None
         if planar[number] and not cut and not (quad and kind == "Ruled faces"):
-            item = _plane_face(corners, planes[0][number], planes[1][number])
+            item = _plane_face(corners, centres[number], normals[number])
         elif quad and not cut:
-            item = _ruled_face(corners)
-        items.append(item or _fan(corners))
+            item = _ruled_face(*corners)
+        items.append(item or _fan(corners, centres[number]))
     return items
 
 
 def _plane_face(corners, centre, normal):
     """The face between the corners' projections on a plane; None where its outline crosses itself."""
-    spokes = corners - centre
-    spokes -= np.outer(spokes @ normal, normal)
-    face = _polygon_face(centre + spokes, centre, normal)
+    corners = [corner - normal * (corner - centre).dot(normal) for corner in corners]
+    face = _polygon_face(corners, normal)
     # An outline that runs around its centre cannot cross itself, and asking FreeCAD takes long.
-    runs_around = (np.cross(spokes, np.roll(spokes, -1, axis=0)) @ normal > 0.0).all()
+    runs_around = all(
+        (a - centre).cross(b - centre).dot(normal) > 0.0 for a, b in zip(corners, turned(corners))
+    )
     return face if runs_around or face.isValid() else None
 
 
-def _polygon_face(corners, centre, normal):
-    vectors = to_vectors(np.vstack([corners, corners[:1], centre, normal]))
-    *outline, centre, normal = vectors
-    return Part.Face(Part.Plane(centre, normal), Part.makePolygon(outline))
+def _polygon_face(corners, normal):
+    return Part.Face(Part.Plane(corners[0], normal), Part.makePolygon([*corners, corners[0]]))
 
 
-def _ruled_face(corners):
-    a, b, c, d = to_vectors(corners)
+def _ruled_face(a, b, c, d):
     return Part.makeRuledSurface(Part.makeLine(a, b), Part.makeLine(d, c))
 
 
-def _fan(corners):
+def _fan(corners, middle):
     """Compound of the triangles between the edges and the mean of the corners, of those that have an area."""
-    points, cut = triangles(corners, [range(len(corners))])
     faces = []
-    for triangle in cut:
-        a, b, c = three = points[list(triangle)]
-        normal = np.cross(b - a, c - a)
-        length = np.linalg.norm(normal)
-        if length > SHORTEST_EDGE * np.linalg.norm(b - a):
-            faces.append(_polygon_face(three, a, normal / length))
+    for a, b in zip(corners, turned(corners)):
+        normal = (b - a).cross(middle - a)
+        if normal.Length > SHORTEST_EDGE * (b - a).Length:
+            faces.append(_polygon_face((a, b, middle), normal))
     return Part.Compound(faces)
