@@ -287,6 +287,16 @@ def test_a_file_brings_it_back_and_it_follows_again(doc, shell, tmp_path):
     assert covering.PanelCount == again.Net.PanelCount > count
 
 
+def test_its_faces_go_through_a_step_file(doc, shell, tmp_path):
+    covering = make_covering(doc, shell)
+    shell.AxialStiffness = "20 kN"
+    assert recompute(doc) == {}
+    covering.Shape.exportStep(str(tmp_path / "covering.step"))
+    read = Part.read(str(tmp_path / "covering.step"))
+    assert len(read.Faces) == covering.PanelCount and read.isValid()
+    assert read.Area == pytest.approx(covering.Shape.Area, rel=1e-6)
+
+
 class TestMesh:
     def test_it_has_the_area_of_the_covering_and_no_gaps(self, example):
         covering = make_covering(example.Document, example)
