@@ -17,12 +17,13 @@ from numbers import Integral, Real
 
 import FreeCAD as App
 
+from .features.covering import Covering
 from .features.feature import MARKER, reason
 from .features.gridshell import Gridshell
 from .features.net import Net
 from .features.support import Support
 
-FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell, Support)}
+FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell, Support, Covering)}
 
 
 def make_net(doc, source=None, **properties):
@@ -101,6 +102,32 @@ def make_support(doc, gridshell, **properties):
         return obj
 
 
+def make_covering(doc, gridshell, **properties):
+    """Add a Covering of a Gridshell's panels and return it; doc.recompute() then makes its faces.
+
+    It is put into the container (App::Part) of the gridshell, if that lies in one. properties: see Covering.
+    Raises ValueError for what is no Gridshell of this document, a name that is no property of a Covering, a
+    value that the property does not take; then the document is as before.
+    """
+    if getattr(gridshell, MARKER, "") != Gridshell.TYPE:
+        shown = getattr(gridshell, "Label", gridshell)
+        raise ValueError(f"gridshell is {shown!r}, which is not a Gridshell: give one, or make it first")
+    if gridshell.Document != doc:
+        raise ValueError(
+            f"gridshell {gridshell.Label} is in the document {gridshell.Document.Label}: make its covering "
+            "there"
+        )
+    _check_names(Covering, properties)
+    with _one_undo_step(doc, "Make covering"):
+        obj = _add(doc, Covering)
+        container = gridshell.getParentGeoFeatureGroup()
+        if container is not None:
+            container.addObject(obj)
+        obj.Gridshell = gridshell
+        _set(obj, Covering, properties)
+        return obj
+
+
 def attach(obj):
     """Give an object that has lost them its proxy and, where there is a window, its view provider.
 
@@ -176,8 +203,8 @@ def _from_the_root(obj, subs):
 
 
 def _settable(feature):
-    given = ("Source", "Net", "Supports")
-    return [each for each in feature.PROPERTIES if not each.mode and each.name not in given]
+    links = ("Source", "Net", "Supports", "Gridshell")
+    return [each for each in feature.PROPERTIES if not each.mode and each.name not in links]
 
 
 def _check_names(feature, properties, also=()):

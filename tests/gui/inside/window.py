@@ -10,6 +10,7 @@ except ImportError:
     from PySide import QtGui as QtWidgets
 
 GRIDSHELL = "Funicular_Gridshell"
+COVERING = "Funicular_Covering"
 
 
 def settle(rounds=5):
@@ -99,16 +100,16 @@ def select_faces(obj, *names):
     settle()
 
 
-def run_command():
-    Gui.runCommand(GRIDSHELL)
+def run_command(name=GRIDSHELL):
+    Gui.runCommand(name)
     settle()
 
 
-def command_action():
-    """The command's action as the toolbar shows it, brought up to date."""
+def command_action(name="Gridshell"):
+    """The action of the command of this name as the toolbar shows it, brought up to date."""
     settle()
     toolbar = Gui.getMainWindow().findChild(QtWidgets.QToolBar, "Funicular")
-    (action,) = [action for action in toolbar.actions() if not action.isSeparator()]
+    (action,) = [action for action in toolbar.actions() if action.text().replace("&", "") == name]
     return action
 
 

@@ -6,7 +6,14 @@ import math
 import FreeCADGui
 
 from funicular.gui.icons import icon
-from funicular.gui.picking import WrongSelection, clicked_object, selected_sources, the_source
+from funicular.gui.picking import (
+    WrongSelection,
+    clicked_object,
+    selected_gridshells,
+    selected_sources,
+    the_gridshell,
+    the_source,
+)
 from funicular.gui.qt import QT_TRANSLATE_NOOP, translate
 
 # Cells along the diagonal of the picked face: enough to see the form, few enough to see every member. A
@@ -66,6 +73,53 @@ class GridshellCommand:
             clicked_object(source).Visibility = False
 
 
+class CoveringCommand:
+    """Selected Gridshell → Covering of its panels, one undo step."""
+
+    NAME = "Funicular_Covering"
+
+    def GetResources(self):
+        what = QT_TRANSLATE_NOOP(
+            "Funicular_Covering",
+            "Cover the panels of the selected gridshell with faces.\n"
+            "Select one Gridshell in the tree or in the 3D view, then run this command.",
+        )
+        return {
+            "Pixmap": icon(self.NAME),
+            "MenuText": QT_TRANSLATE_NOOP("Funicular_Covering", "Covering"),
+            "ToolTip": what,
+            "WhatsThis": self.NAME,
+            "StatusTip": what,
+            "Accel": "G, C",
+        }
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
+
+    def Activated(self):
+        from funicular.gui.task_panel import show_message
+        from funicular.make import make_covering
+
+        try:
+            shell = the_gridshell()
+        except WrongSelection as error:
+            show_message(str(error))
+            return
+        document = shell.Document
+        document.openTransaction(translate("Covering"))
+        try:
+            covering = make_covering(document, shell)
+            document.recompute()
+            if not covering.isValid():
+                raise ValueError(covering.getStatusString())
+        except Exception as error:
+            # As with a gridshell: no half of an object stays behind, and the user reads why.
+            document.abortTransaction()
+            show_message(str(error))
+            return
+        document.commitTransaction()
+
+
 def _make(document, source, net):
     from funicular import _native
     from funicular.make import make_gridshell
@@ -112,4 +166,4 @@ def _round_down(length):
     return max(factor * decade for factor in (1.0, 2.0, 2.5, 5.0) if factor * decade <= length * 1.0001)
 
 
-COMMANDS = {GridshellCommand.NAME: GridshellCommand()}
+COMMANDS = {command.NAME: command() for command in (GridshellCommand, CoveringCommand)}

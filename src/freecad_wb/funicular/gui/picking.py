@@ -40,6 +40,30 @@ def _face_count(root, path):
     return getattr(root.getSubObject(path), "countElement", lambda kind: 0)("Face")
 
 
+def selected_gridshells():
+    """The Gridshells that are selected, as a whole or by their members; each once."""
+    shells = []
+    for selected in FreeCADGui.Selection.getSelectionEx("", 0):
+        for path in selected.SubElementNames or ("",):
+            obj = selected.Object.getSubObjectList(path)[-1]
+            if getattr(obj, "FunicularType", "") == "Gridshell" and obj not in shells:
+                shells.append(obj)
+    return shells
+
+
+def the_gridshell():
+    """The one Gridshell that is selected. Raises WrongSelection unless there is exactly one."""
+    shells = selected_gridshells()
+    if len(shells) != 1:
+        raise WrongSelection(
+            translate(
+                "{} gridshells are selected, and a covering lies on one. "
+                "Select a single Gridshell in the tree, then run Covering again."
+            ).format(len(shells))
+        )
+    return shells[0]
+
+
 def _refuse_whole_solids(faces):
     """A shell is laid out as it is; of a solid nobody means the bottom too."""
     for root, path in faces:

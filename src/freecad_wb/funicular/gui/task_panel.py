@@ -75,8 +75,8 @@ class MessagePanel:
         line = ResultLine()
         line.say(WRONG, sentence)
         self.form = line
-        self.form.setWindowTitle(translate("Gridshell"))
-        self.form.setWindowIcon(QtGui.QIcon(icon("Funicular_Gridshell")))
+        self.form.setWindowTitle(translate("Funicular"))
+        self.form.setWindowIcon(QtGui.QIcon(icon("Funicular")))
 
     def getStandardButtons(self):
         return QtWidgets.QDialogButtonBox.Close

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How Net, Gridshell and Support stand in the tree and the 3D view. Class names are in users' files."""
+"""How our objects stand in the tree and in the 3D view. Class names are saved in users' files."""
 
 import FreeCAD
 import FreeCADGui
@@ -13,9 +13,13 @@ from funicular.gui.qt import QT_TRANSLATE_NOOP
 COLOURING_RESULTS = ("Shape", "MemberForces", "TensionMembers")
 LINE_WIDTH = 3.0
 
+# A covering of light timber, through which the members are seen.
+TIMBER = (0.87, 0.77, 0.60)
+TRANSPARENCY = 30
+
 
 class ViewProvider:
-    """What both have in common: nothing is kept beside the properties, so nothing is saved with the proxy."""
+    """What all have in common: nothing is kept beside the properties, so nothing is saved with the proxy."""
 
     icon_name = ""
 
@@ -175,7 +179,25 @@ class ViewProviderGridshell(ViewProvider):
         return True
 
 
-VIEW_PROVIDERS = {"Net": ViewProviderNet, "Gridshell": ViewProviderGridshell, "Support": ViewProviderSupport}
+class ViewProviderCovering(ViewProvider):
+    """The panels of a gridshell, which stays in sight below them, and in the tree beside them."""
+
+    icon_name = "Funicular_Covering"
+
+    def __init__(self, vobj):
+        super().__init__(vobj)
+        vobj.ShapeColor = TIMBER
+        vobj.Transparency = TRANSPARENCY
+        # Lines of its own would lie on the members and hide the colours of their forces.
+        vobj.DisplayMode = "Shaded"
+
+
+VIEW_PROVIDERS = {
+    "Net": ViewProviderNet,
+    "Gridshell": ViewProviderGridshell,
+    "Support": ViewProviderSupport,
+    "Covering": ViewProviderCovering,
+}
 
 
 def _show_unless_shared(child, obj):
@@ -189,7 +211,7 @@ def _show_unless_shared(child, obj):
 def attach_view_provider(obj):
     """Give `obj` the view provider of its kind if it has none, as in a file that was saved without a window.
 
-    obj: a document object with a FunicularType.
+    obj: a document object whose FunicularType is a key of VIEW_PROVIDERS.
     """
     vobj = obj.ViewObject
     kind = VIEW_PROVIDERS[obj.FunicularType]

@@ -129,7 +129,7 @@ class TestFile:
         path.write_text("v 0 0 0\nv 1 0 0\nf 1 2 9\n")
         net = make_net(doc, File=str(path))
         recompute(doc)
-        assert_refused(net, "wrong.obj", "9")
+        assert_refused(net, "wrong.obj:3: face 0 names vertex 8")
         net.File = str(tmp_path / "none.obj")
         recompute(doc)
         assert_refused(net, "none.obj")

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Panels as figures in space: their best planes, areas and triangles. Needs numpy only.
+
+A panel is a sequence of node numbers, in order around it. Lengths are in the unit of the nodes.
+"""
+
+import numpy as np
+
+
+def best_planes(nodes, panels):
+    """The plane of each panel whose corners' distances from it have the least sum of squares.
+
+    nodes: (n, 3). panels: p sequences of node numbers.
+    Returns (centres (p, 3), unit normals (p, 3), distances (p,)): the mean of the corners; the normal on the
+    side from which the corners run counter-clockwise; the largest distance of a corner from the plane, zero
+    for a triangle.
+    """
+    centres, normals, distances = np.zeros((3, len(panels), 3))
+    distances = distances[:, 0]
+    for which, corners in _by_corner_count(nodes, panels):
+        centre = corners.mean(axis=1)
+        offsets = corners - centre[:, None]
+        # The last of the right singular vectors is the direction in which the corners vary least.
+        normal = np.linalg.svd(offsets, full_matrices=False)[2][:, -1]
+        around = np.cross(offsets, np.roll(offsets, -1, axis=1)).sum(axis=1)
+        normal *= np.where(np.einsum("pi,pi->p", normal, around) < 0.0, -1.0, 1.0)[:, None]
+        centres[which], normals[which] = centre, normal
+        if corners.shape[1] > 3:
+            distances[which] = np.abs(np.einsum("pki,pi->pk", offsets, normal)).max(axis=1)
+    return centres, normals, distances
+
+
+def areas(nodes, panels):
+    """(p,) areas as the core counts covering: of the triangles between the edges and the corners' mean."""
+    found = np.zeros(len(panels))
+    for which, corners in _by_corner_count(nodes, panels):
+        spokes = corners - corners.mean(axis=1, keepdims=True)
+        doubled = np.linalg.norm(np.cross(spokes, np.roll(spokes, -1, axis=1)), axis=2)
+        found[which] = 0.5 * doubled.sum(axis=1)
+    return found
+
+
+def triangles(nodes, panels):
+    """The panels cut into triangles about the mean of their corners, panel by panel.
+
+    Returns (points, triangles): the nodes and behind them, for every panel of more than three corners, their
+    mean; a list of triples of their numbers. A triangular panel stays as it is.
+    """
+    points, cut = [np.asarray(nodes, dtype=float)], []
+    middle = len(nodes)
+    for panel in panels:
+        if len(panel) == 3:
+            cut.append(tuple(panel))
+            continue
+        points.append(points[0][list(panel)].mean(axis=0, keepdims=True))
+        cut += [(a, b, middle) for a, b in zip(panel, turned(panel))]
+        middle += 1
+    return np.concatenate(points), cut
+
+
+def turned(panel):
+    """The corners, each replaced by the one that follows it: zip(panel, turned(panel)) are the sides."""
+    return (*panel[1:], panel[0])
+
+
+def _by_corner_count(nodes, panels):
+    """(numbers of the panels, (k, corners, 3) positions) for each number of corners that occurs."""
+    nodes = np.asarray(nodes, dtype=float)
+    counts = np.array([len(panel) for panel in panels], dtype=int)
+    for count in np.unique(counts):
+        which = np.flatnonzero(counts == count)
+        yield which, nodes[np.array([panels[number] for number in which])]
