@@ -121,7 +121,7 @@ class TestSaddles:
         covering = covered(sheet)
         assert (covering.PlanarPanels, list(covering.WarpedPanels)) == (0, list(range(48)))
         assert covering.LargestOutOfPlane.Value == pytest.approx(60.0, abs=1e-9)
-        for face, panel in zip(items(covering), panels_of(sheet)):
+        for face, panel in zip(items(covering), panels_of(sheet.Panels)):
             assert face.ShapeType == "Face" and not isinstance(face.Surface, Part.Plane)
             assert face.Area == pytest.approx(ruled_area(nodes[list(panel)]), rel=1e-6)
             assert face.Area < covering.Area.Value / 48
@@ -150,7 +150,7 @@ class TestSaddles:
         nodes = saddled(sheet, 0.4)
         covering = covered(sheet, Kind="Ruled faces")
         assert covering.PlanarPanels == 48
-        for face, panel in zip(items(covering), panels_of(sheet)):
+        for face, panel in zip(items(covering), panels_of(sheet.Panels)):
             assert not isinstance(face.Surface, Part.Plane)
             for corner in nodes[list(panel)]:
                 assert min((vertex.Point - V(*corner)).Length for vertex in face.Vertexes) < 1e-6
@@ -161,7 +161,7 @@ class TestSaddles:
         covering = covered(sheet, Kind="Triangles")
         assert len(items(covering)) == 48 and len(covering.Shape.Faces) == 4 * 48
         assert covering.Shape.Area == pytest.approx(48 * SIDE * np.hypot(SIDE, 2 * height), rel=1e-9)
-        for item, panel in zip(items(covering), panels_of(sheet)):
+        for item, panel in zip(items(covering), panels_of(sheet.Panels)):
             mean = V(*nodes[list(panel)].mean(axis=0))
             assert len(item.Faces) == 4
             for face in item.Faces:
@@ -178,7 +178,7 @@ class TestSaddles:
 
 def test_a_plane_outline_that_crosses_itself_is_cut_into_triangles(sheet):
     nodes = saddled(sheet, 0.0)
-    panels = panels_of(sheet)
+    panels = panels_of(sheet.Panels)
     crossed = panels[0]
     a, b = crossed[0], crossed[1]
     nodes[[a, b]] = nodes[[b, a]]
@@ -313,7 +313,7 @@ class TestMesh:
             # A mesh is kept in single precision.
             assert mesh.Area == pytest.approx(covering.Area.Value, rel=1e-5)
             assert mesh.countNonUniformOrientedFacets() == 0 and not mesh.hasNonManifolds()
-            corners = [len(panel) for panel in panels_of(example)]
+            corners = [len(panel) for panel in panels_of(example.Panels)]
             assert mesh.CountFacets == sum(count for count in corners if count > 3) + corners.count(3)
             assert mesh.CountPoints == example.Net.NodeCount + sum(count > 3 for count in corners)
 
