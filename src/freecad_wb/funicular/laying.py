@@ -38,9 +38,10 @@ class Division:
 class Laid:
     """A net as it lies on its source.
 
-    nodes: (n, 3) [mm]. lattice: what it was made on, None where it is no lattice; members, panels: its
-    connectivity. cells, closed, poles: of the lattice, along u and along v of the face. remarks: sentences on
-    what came out otherwise than it was asked for.
+    nodes: (n, 3) [mm]. uv: (n, 2) in the unit square of the face, None where there is none. lattice: what it
+    was made on, None where it is no lattice; members, panels: its connectivity. cells, closed, poles: of the
+    lattice, along u and along v of the face. remarks: sentences on what came out otherwise than it was asked
+    for.
     """
 
     nodes: np.ndarray
@@ -51,6 +52,7 @@ class Laid:
     closed: tuple = (False, False)
     poles: frozenset = frozenset()
     remarks: tuple = ()
+    uv: np.ndarray = None
 
 
 def lattice_on(cells, closed, poles, pattern="quad", swapped=False):
@@ -81,7 +83,7 @@ def lay_on_face(face, name, division):
     nodes = place(chart, uv, division)
     refuse_pinches(nodes, lattice.members, chart.size, name)
     remarks = tuple(_forced(wanted, cells, division))
-    return Laid(nodes, lattice.members, lattice.panels, lattice, cells, closed, chart.poles, remarks)
+    return Laid(nodes, lattice.members, lattice.panels, lattice, cells, closed, chart.poles, remarks, uv)
 
 
 def place(chart, uv, division):

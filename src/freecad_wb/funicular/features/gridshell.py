@@ -7,7 +7,7 @@ import numpy as np
 import funicular as fn
 
 from .feature import Feature, Property, amount, checked, reason
-from .net import edges_of, flat_panels, net_of, to_vectors
+from .net import edges_of, flat_panels, net_of, panels_of, to_vectors
 from .progress import Progress
 from .support import RECIPES, supports_of_gridshell
 
@@ -16,6 +16,7 @@ METHODS = ("Auto", "Newton", "Relaxation")
 
 # FreeCAD's internal units are mm, kg and s: the factors to SI.
 METRES = 1e-3
+GRAVITY = 9.80665
 NEWTONS = 1e-3
 
 # How far a placement may turn the vertical, in radians: more than rounding, less than can be set.
@@ -219,7 +220,19 @@ def scene_of(obj):
     if snow:
         effects.append(fn.Snow(snow))
     net = net_of(obj.Net)
+    effects += _on_rims(obj.Net, covering_weight)
     return fn.Scene(net, supports=supports_of_gridshell(obj, net), effects=effects)
+
+
+def _on_rims(net, covering_weight):
+    """What covers openings weighs as much as it would there, and stands on the nodes around them."""
+    if not covering_weight:
+        return []
+    return [
+        fn.PointLoad(nodes, (0.0, 0.0, -GRAVITY * covering_weight * area * METRES**2 / len(nodes)))
+        for nodes, area in zip(panels_of(net.OpeningNodes), net.OpeningAreas)
+        if nodes
+    ]
 
 
 def refuse_tilt(obj):

@@ -7,6 +7,7 @@ import numpy as np
 
 import funicular as fn
 
+from ..edits import Edits, Places, edited
 from ..laying import Division, Laid, lattice_on, lay_on_face
 from ..mesh_source import mesh_of, net_of_mesh, read_mesh_file
 from ..several_faces import lay_on_faces
@@ -113,6 +114,30 @@ class Net(Feature):
             0.0,
             unit="mm",
         ),
+        *(
+            Property(kind, name, "Edits", tooltip)
+            for kind, name, tooltip in (
+                (
+                    "App::PropertyVectorList",
+                    "Raised",
+                    "(u, v, height in mm): the node nearest to (u, v) on the face is raised, or lowered",
+                ),
+                (
+                    "App::PropertyVectorList",
+                    "RemovedPanels",
+                    "(u, v) on the face: the nearest panel becomes an opening",
+                ),
+                (
+                    "App::PropertyVectorList",
+                    "RemovedMembers",
+                    "(u, v) on the face: the nearest member is taken out, and the panels beside it are one",
+                ),
+                ("App::PropertyIntegerList", "RaisedNodes", "Numbers of nodes, for nets that keep them"),
+                ("App::PropertyFloatList", "RaisedHeights", "By how much each of RaisedNodes is raised [mm]"),
+                ("App::PropertyIntegerList", "RemovedPanelNumbers", "Panels that become openings, by number"),
+                ("App::PropertyIntegerList", "RemovedMemberNumbers", "Members that are taken out, by number"),
+            )
+        ),
         Property("App::PropertyString", "Remarks", "Net", "What came out otherwise", mode=("ReadOnly",)),
         *(
             Property("App::PropertyInteger", name, "Net", tooltip, mode=("ReadOnly",))
@@ -141,6 +166,13 @@ class Net(Feature):
                     "Edges and vertices of the source that hold nodes",
                 ),
                 ("App::PropertyIntegerList", "ElementNodes", "Of each how many nodes, then their numbers"),
+                (
+                    "App::PropertyIntegerList",
+                    "OpeningNodes",
+                    "Of each opening how many nodes, then their numbers",
+                ),
+                ("App::PropertyFloatList", "OpeningAreas", "Area of each opening on the source [mm²]"),
+                ("App::PropertyVectorList", "NodePlaces", "(u, v) of each node that is on no lattice"),
                 ("App::PropertyString", "SourceBody", "What the face belonged to when it was picked"),
             )
         ),
@@ -155,8 +187,16 @@ class Net(Feature):
     def compute(self, obj):
         source = read_source(obj)
         laid, on_elements = _lay(obj, source)
+        laid, openings, numbers = edited(laid, _edits(obj), _places(laid))
         _write(obj, laid)
+        own = {int(number): node for node, number in enumerate(numbers)}
+        on_elements = {
+            element: [own[node] for node in nodes.tolist() if node in own]
+            for element, nodes in on_elements.items()
+        }
         obj.SourceElements, obj.ElementNodes = list(on_elements), flat_panels(on_elements.values())
+        obj.OpeningNodes = flat_panels(opening.nodes for opening in openings)
+        obj.OpeningAreas = [opening.area for opening in openings]
         obj.SourceBody = getattr(source, "described", "")
 
 
@@ -181,6 +221,25 @@ def _lay(obj, source):
     else:
         laid = lay_on_faces(source, division)
     return laid, nodes_on_elements(source.body, source.faces, laid.nodes)
+
+
+def _edits(obj):
+    if len(obj.RaisedNodes) != len(obj.RaisedHeights):
+        raise fn.InvalidInput(
+            f"RaisedNodes names {len(obj.RaisedNodes)} nodes, but RaisedHeights has {len(obj.RaisedHeights)} "
+            "values: give one for each"
+        )
+    raised = [((at.x, at.y), at.z) for at in obj.Raised]
+    return Edits(
+        raised + list(zip(obj.RaisedNodes, obj.RaisedHeights)),
+        [(at.x, at.y) for at in obj.RemovedMembers] + list(obj.RemovedMemberNumbers),
+        [(at.x, at.y) for at in obj.RemovedPanels] + list(obj.RemovedPanelNumbers),
+    )
+
+
+def _places(laid):
+    """Where the nodes of a net on a lattice are on the face."""
+    return Places(laid.uv, laid.closed)
 
 
 def _weld(obj):
@@ -221,6 +280,7 @@ def _write(obj, laid):
     obj.ClosedU, obj.ClosedV, obj.Poles = *laid.closed, sorted(laid.poles)
     obj.Members = [] if laid.lattice else np.asarray(laid.members).ravel().tolist()
     obj.Panels = [] if laid.lattice else flat_panels(laid.panels)
+    obj.NodePlaces = to_vectors(np.column_stack([laid.uv, 0 * laid.uv[:, 0]])) if laid.uv is not None else []
     obj.NodeCount, obj.MemberCount, obj.PanelCount = len(laid.nodes), len(laid.members), len(laid.panels)
     obj.Remarks = "; ".join(laid.remarks)
 

@@ -8,6 +8,7 @@ import Part
 import funicular as fn
 
 from .. import topology
+from ..edits import Places
 from ..recipes import support_recipe, vertical_planes
 from .feature import Feature, Property, amount
 from .net import nodes_of_element, net_of, positions_of
@@ -114,7 +115,7 @@ def _lines(obj, net):
             raise fn.InvalidInput("Elements is empty: name edges or vertices of the source, such as Edge1")
         return [nodes_of_element(obj.Net, element) for element in obj.Elements]
     if obj.Where == POINTS:
-        return [_nearest(obj, net)]
+        return [_nearest(obj)]
     wrong = next((node for node in obj.Nodes if not 0 <= node < len(net.nodes)), None)
     if wrong is not None:
         raise fn.InvalidInput(
@@ -124,14 +125,14 @@ def _lines(obj, net):
     return [np.array(obj.Nodes, dtype=int)]
 
 
-def _nearest(obj, net):
+def _nearest(obj):
     """The node nearest to each of Points, on the unit square of the face."""
-    if net.lattice is None:
+    if not obj.Net.NodePlaces:
         raise fn.InvalidInput(
-            "Points are (u, v) of one face: this net lies on none, so choose Edges or Nodes"
+            "Points are (u, v) of one whole face, which this net does not lie on: choose "
+            f"{ELEMENTS} or {NODES}"
         )
-    uv = net.lattice.uv[:, ::-1] if obj.Net.SampledSwap else net.lattice.uv
-    closed = np.array([obj.Net.ClosedU, obj.Net.ClosedV])
+    places = Places(np.array([(at.x, at.y) for at in obj.Net.NodePlaces]), (obj.Net.ClosedU, obj.Net.ClosedV))
     found = []
     for at, point in enumerate(obj.Points):
         if not (-1e-9 <= point.x <= 1 + 1e-9 and -1e-9 <= point.y <= 1 + 1e-9):
@@ -139,9 +140,7 @@ def _nearest(obj, net):
                 f"Points[{at}] is ({point.x:g}, {point.y:g}): give u and v between 0 and 1, shares of the "
                 "face's length"
             )
-        away = np.abs(uv - (point.x, point.y))
-        away = np.where(closed, np.minimum(away, 1.0 - away), away)
-        found.append(int(np.argmin((away**2).sum(axis=1))))
+        found.append(places.nearest(places.uv, (point.x, point.y)))
     return np.array(found, dtype=int)
 
 
