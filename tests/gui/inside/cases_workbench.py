@@ -17,18 +17,20 @@ from window import (
     wait_until,
 )
 
+TITLES = ["Gridshell", "Flat sheet", "Support", "Covering"]
+
 
 def test_workbench_has_an_icon_a_toolbar_and_a_menu(workbench):
     window = Gui.getMainWindow()
     toolbar = window.findChild(QtWidgets.QToolBar, "Funicular")
     assert toolbar is not None and toolbar.isVisible()
-    assert [action.text().replace("&", "") for action in toolbar.actions()] == ["Gridshell", "Covering"]
+    assert [action.text().replace("&", "") for action in toolbar.actions()] == TITLES
     assert not any(action.icon().isNull() for action in toolbar.actions())
     menus = [
         menu for menu in window.findChildren(QtWidgets.QMenu) if menu.title().replace("&", "") == "Funicular"
     ]
     assert len(menus) == 1
-    assert [action.text().replace("&", "") for action in menus[0].actions()] == ["Gridshell", "Covering"]
+    assert [action.text().replace("&", "") for action in menus[0].actions()] == TITLES
     with open(workbench.Icon, encoding="utf-8") as icon:
         assert "<svg" in icon.read()
 
@@ -101,7 +103,7 @@ def test_with_several_faces_of_one_body_it_makes_one_net(document):
     run_command()
     assert result_line().startswith("✔"), result_line()
     assert list(document.Net.Source[1]) == ["Face2", "Face6"]
-    press("OK")
+    press("Ok")
 
 
 def test_workbench_can_be_left_and_entered_again(workbench):

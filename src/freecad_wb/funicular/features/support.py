@@ -83,6 +83,24 @@ class Support(Feature):
         obj.HeldNodes = held.tolist()
 
 
+def at_picks(shell, elements, points):
+    """The properties of a Support where something of a gridshell was picked; its border where nothing was.
+
+    elements: names of edges and vertices of the source. points: App.Vector on nodes of the gridshell, as it
+    stands in the document. Nodes are kept as places on the face where there are such, else by number.
+    """
+    if elements:
+        return {"Where": ELEMENTS, "Elements": elements}
+    if not points:
+        return {"Where": "Boundary"}
+    placed = shell.getGlobalPlacement()
+    nodes = np.array([tuple(placed.multVec(node)) for node in shell.NodePositions])
+    picked = [int(np.argmin(np.linalg.norm(nodes - tuple(point), axis=1))) for point in points]
+    if shell.Net.NodePlaces:
+        return {"Where": POINTS, "Points": [shell.Net.NodePlaces[node] for node in picked]}
+    return {"Where": NODES, "Nodes": picked}
+
+
 def net_of_support(obj):
     """The fn.Net of a Support. Raises InvalidInput without one."""
     if obj.Net is None or getattr(obj.Net, "FunicularType", "") != "Net":

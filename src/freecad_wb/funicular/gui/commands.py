@@ -3,12 +3,14 @@
 
 import math
 
+import FreeCAD
 import FreeCADGui
 
 from funicular.gui.icons import icon
 from funicular.gui.picking import (
     WrongSelection,
     clicked_object,
+    picks_of,
     selected_gridshells,
     selected_sources,
     the_gridshell,
@@ -73,6 +75,106 @@ class GridshellCommand:
             clicked_object(source).Visibility = False
 
 
+class SheetCommand:
+    """A flat sheet on four corners, its gridshell and the gridshell's panel, all of it one undo step."""
+
+    NAME = "Funicular_Sheet"
+
+    # A hall of moderate size; the panel that opens has both as inputs.
+    WIDTH, DEPTH, STEP = "12 m", "9 m", "500 mm"
+
+    def GetResources(self):
+        what = QT_TRANSLATE_NOOP(
+            "Funicular_Sheet",
+            "Start from a flat sheet of given size, which rises between its four corners.\n"
+            "Nothing needs to be selected.",
+        )
+        return {
+            "Pixmap": icon(self.NAME),
+            "MenuText": QT_TRANSLATE_NOOP("Funicular_Sheet", "Flat sheet"),
+            "ToolTip": what,
+            "WhatsThis": self.NAME,
+            "StatusTip": what,
+            "Accel": "G, F",
+        }
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog()
+
+    def Activated(self):
+        from funicular.gui.task_panel import active_transaction, show_message
+        from funicular.make import make_gridshell
+
+        document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
+        document.openTransaction(translate("Flat sheet"))
+        transaction = active_transaction()
+        try:
+            shell = make_gridshell(
+                document,
+                Width=self.WIDTH,
+                Depth=self.DEPTH,
+                StepU=self.STEP,
+                StepV=self.STEP,
+                SupportRecipe="Corners",
+            )
+        except Exception as error:
+            document.abortTransaction()
+            show_message(str(error))
+            return
+        shell.ViewObject.Proxy.edit(shell.ViewObject, transaction)
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+
+
+class SupportCommand:
+    """Selected Gridshell, and edges or vertices → a Support there, one undo step."""
+
+    NAME = "Funicular_Support"
+
+    def GetResources(self):
+        what = QT_TRANSLATE_NOOP(
+            "Funicular_Support",
+            "Hold the selected gridshell at its border, or where edges and vertices are selected too.\n"
+            "Select a Gridshell, and with it nodes of its own, or edges and vertices of its source.",
+        )
+        return {
+            "Pixmap": icon(self.NAME),
+            "MenuText": QT_TRANSLATE_NOOP("Funicular_Support", "Support"),
+            "ToolTip": what,
+            "WhatsThis": self.NAME,
+            "StatusTip": what,
+            "Accel": "G, P",
+        }
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
+
+    def Activated(self):
+        from funicular.features.support import at_picks
+        from funicular.gui.task_panel import show_message
+        from funicular.make import make_support
+
+        try:
+            shell = the_gridshell()
+        except WrongSelection as error:
+            show_message(str(error))
+            return
+        document = shell.Document
+        document.openTransaction(translate("Support"))
+        try:
+            support = make_support(document, shell, **at_picks(shell, *picks_of(shell)))
+            document.recompute()
+            if not support.isValid():
+                raise ValueError(support.getStatusString())
+        except Exception as error:
+            document.abortTransaction()
+            show_message(str(error))
+            return
+        document.commitTransaction()
+        # Its properties are what is wanted next.
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(support)
+
+
 class CoveringCommand:
     """Selected Gridshell → Covering of its panels, one undo step."""
 
@@ -131,7 +233,9 @@ def _make(document, source, net):
         net.Visibility = False
     else:
         root, paths = source
-        step_u, step_v = (f"{step} mm" for step in starting_steps(root.getSubObject(paths[0])))
+        face = root.getSubObject(paths[0])
+        face = face.Faces[0] if getattr(face, "Faces", None) else None
+        step_u, step_v = (f"{step} mm" for step in starting_steps(face))
         shell = make_gridshell(document, source=source, StepU=step_u, StepV=step_v)
     return shell
 
@@ -166,4 +270,6 @@ def _round_down(length):
     return max(factor * decade for factor in (1.0, 2.0, 2.5, 5.0) if factor * decade <= length * 1.0001)
 
 
-COMMANDS = {command.NAME: command() for command in (GridshellCommand, CoveringCommand)}
+COMMANDS = {
+    command.NAME: command() for command in (GridshellCommand, SheetCommand, SupportCommand, CoveringCommand)
+}

@@ -15,6 +15,8 @@ SECTIONS = (
     (
         QT_TRANSLATE_NOOP("Funicular", "Net"),
         (
+            ("Sheet", "Width", QT_TRANSLATE_NOOP("Funicular", "Width")),
+            ("Sheet", "Depth", QT_TRANSLATE_NOOP("Funicular", "Depth")),
             ("Net", "Pattern", QT_TRANSLATE_NOOP("Funicular", "Pattern")),
             ("Net", "StepU", QT_TRANSLATE_NOOP("Funicular", "Step along u")),
             ("Net", "StepV", QT_TRANSLATE_NOOP("Funicular", "Step along v")),

@@ -31,9 +31,39 @@ def selected_sources():
                 nets.append(obj)
             elif element:
                 faces += [(root, path)] if element.startswith("Face") else []
-            elif not hasattr(obj, "FunicularType"):
-                faces += [(root, path)] if _face_count(root, path) else []
+            elif not hasattr(obj, "FunicularType") and _can_carry_a_net(root, path, obj):
+                faces.append((root, path))
     return faces, nets
+
+
+def _can_carry_a_net(root, path, obj):
+    """Whether a whole object has faces, or is a mesh, or nothing but edges as a sketch."""
+    if obj.isDerivedFrom("Mesh::Feature"):
+        return True
+    shape = root.getSubObject(path)
+    return hasattr(shape, "countElement") and bool(shape.countElement("Face") or shape.countElement("Edge"))
+
+
+def picks_of(shell):
+    """What is selected to say where a gridshell shall be held.
+
+    Returns
+    -------
+    (elements, points)
+        `elements`: names of edges and vertices of the source of its net, ["Edge3"]. `points`: App.Vector,
+        where its own nodes were clicked.
+    """
+    elements, points = [], []
+    source = shell.Net.Source[0] if shell.Net and shell.Net.Source else None
+    for selected in FreeCADGui.Selection.getSelectionEx("", 0):
+        for path in selected.SubElementNames:
+            obj = selected.Object.getSubObjectList(path)[-1]
+            element = path.rpartition(".")[2]
+            if obj == shell and element.startswith("Vertex"):
+                points.append(selected.Object.getSubObject(path).Point)
+            elif selected.Object == source and element.startswith(("Edge", "Vertex")):
+                elements.append(element)
+    return elements, points
 
 
 def _face_count(root, path):

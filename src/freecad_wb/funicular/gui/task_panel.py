@@ -209,7 +209,10 @@ class GridshellPanel:
         column.setContentsMargins(0, 0, 0, 0)
         self.line = ResultLine()
         column.addWidget(self.line)
-        owners = {"Gridshell": self._shell, "Net": self._shell.Net}
+        net = self._shell.Net
+        # A sheet is a net without a source, and its size an input like any other.
+        is_sheet = net is not None and net.Source is None and bool(net.Width.Value or net.Depth.Value)
+        owners = {"Gridshell": self._shell, "Net": net, "Sheet": net if is_sheet else None}
         # One layout for all: the inputs stand in one column, and a heading costs a line and no frame.
         inputs = QtWidgets.QFormLayout()
         inputs.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
