@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two hundred parametric edits in a row: each ends in a certified shell or in a named error that keeps the last."""
+"""Two hundred edits in a row: each gives a certified shell, or a named error that keeps the last shape."""
 
 import random
 
@@ -79,6 +79,7 @@ def test_two_hundred_edits_in_a_row_never_break_the_document(doc, tmp_path):
     doc.recompute()
     shell = make_gridshell(doc, source=(block_, ["Face6"]), MaxSeconds=20.0)
     support = make_support(doc, shell, Where="Points", Points=[V(0.5, 0.5, 0)], Kind="On its vertical line")
+    support.Nodes = [5]
     covering = make_covering(doc, shell)
     doc.recompute()
     assert shell.Status == "converged"
@@ -101,7 +102,7 @@ def test_two_hundred_edits_in_a_row_never_break_the_document(doc, tmp_path):
                     what,
                     shell.Summary,
                 )
-            assert covering.isValid() or "panels" in covering.getStatusString(), covering.getStatusString()
+            assert covering.isValid() or "panel" in covering.getStatusString(), covering.getStatusString()
         else:
             # The last good shape stays, and one object says why in a sentence.
             assert np.array_equal(array(shell.NodePositions), before), (number, what)
