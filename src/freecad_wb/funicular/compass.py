@@ -18,6 +18,10 @@ MOST_NODES = 250_000
 # How far a distance may be from the step, relative to it: sought, and at most.
 SOUGHT = 1e-12
 MOST_ERROR = 3e-10
+# Outside the face, where nodes are left out in the end.
+SOUGHT_OUTSIDE = 1e-10
+
+MOST_TURNS = 15
 
 # Differences of the parameters in Newton's method, which forgives an error of this size in its slopes.
 NEWTON_DIFFERENCE = 1e-6
@@ -29,7 +33,7 @@ NEAREST = 0.75
 ON_BORDER = 1e-8
 
 # The directions in which the face is looked for from outside of it are wider than the members' by this.
-WIDER = math.radians(20.0)
+WIDER = math.radians(10.0)
 
 ARMS = np.array([[1, 0], [-1, 0], [0, 1], [0, -1]])
 
@@ -48,7 +52,7 @@ class Laying:
         self.grid, self.on_face = np.empty((room, 2), dtype=int), np.empty(room, dtype=bool)
         self.reach = 64
         self._ids = np.full((2 * self.reach + 1,) * 2, -1)
-        self._boxes = defaultdict(list)
+        self._boxes, self._spoilt = defaultdict(list), set()
         # What lies this near along the grid is its own surroundings, however sheared.
         self._own = math.ceil(NEAREST / (2.0 * math.sin(0.5 * self.least))) + 1
         self.stops, self.left_face = [], False
@@ -226,33 +230,36 @@ class Laying:
 
         In boxes of two such distances, those within one of a point are in the eight boxes around it.
         """
-        clear = np.ones(len(numbers), dtype=bool)
+        numbers = numbers.tolist()
         place = self.points[numbers] / (2.0 * NEAREST * self.step)
         own = np.floor(place).astype(int).tolist()
         corners = np.floor(place - 0.5).astype(int)[:, None] + np.indices((2, 2, 2)).reshape(3, 8).T
-        for row in np.flatnonzero(self.on_face[numbers]).tolist():
-            number = int(numbers[row])
-            near = [n for box in corners[row].tolist() for n in self._boxes.get(tuple(box), ())]
-            clear[row] = not self._overlaps(number, np.array(near, dtype=int))
-            if clear[row]:
-                self._boxes[tuple(own[row])].append(number)
-        return clear
+        pairs = []
+        for number, on_face, box, around in zip(numbers, self.on_face[numbers], own, corners.tolist()):
+            if on_face:
+                pairs += [(number, n) for each in around for n in self._boxes.get(tuple(each), ())]
+                self._boxes[tuple(box)].append(number)
+        for number, other in self._overlapping(np.array(pairs, dtype=int).reshape(-1, 2)).tolist():
+            if other not in self._spoilt:
+                self._spoilt.add(number)
+        return np.array([number not in self._spoilt for number in numbers], dtype=bool)
 
-    def _overlaps(self, number, near):
-        """Whether a node is too near to one of the others that is no neighbour of it along the grid."""
-        far = np.abs(self.grid[near] - self.grid[number]).max(axis=1, initial=0) > self._own
+    def _overlapping(self, pairs):
+        """Those pairs of nodes that are too near to each other and no neighbours along the grid."""
+        new, old = pairs.T
+        far = np.abs(self.grid[old] - self.grid[new]).max(axis=1, initial=0) > self._own
         if not self.ground.caps and self.ground.closed.any():
             # Around a narrow face a few steps are enough to come back.
-            turns = np.abs(self.lifted[near] - self.lifted[number])[:, self.ground.closed]
-            far |= turns.max(axis=1, initial=0.0) > 0.5
-        near = near[far]
-        if not len(near):
-            return False
-        near = near[np.linalg.norm(self.points[near] - self.points[number], axis=1) < NEAREST * self.step]
+            turns = np.abs(self.lifted[old] - self.lifted[new])[:, self.ground.closed]
+            far |= turns.max(axis=1) > 0.5
+        pairs = pairs[far]
+        new, old = pairs.T
+        near = _length(self.points[old] - self.points[new]) < NEAREST * self.step
+        pairs = pairs[near]
+        new, old = pairs.T
         # Near in space may be far on the face, across a fold.
-        by = self.ground.apart(self.uv[near], np.repeat(self.uv[number : number + 1], len(near), axis=0))
-        apart = np.linalg.norm(np.einsum("na,nak->nk", by, self.slopes[near]), axis=1)
-        return bool((apart < 2.0 * NEAREST * self.step).any())
+        by = self.ground.apart(self.uv[old], self.uv[new])
+        return pairs[_length((by[:, None] @ self.slopes[old])[:, 0]) < 2.0 * NEAREST * self.step]
 
 
 def meet(ground, uv, first, second, plane, step):
@@ -268,35 +275,32 @@ def meet(ground, uv, first, second, plane, step):
     points, error = np.empty((len(uv), 3)), np.full(len(uv), np.inf)
     slopes = np.empty((len(uv), 2, 3))
     active = np.arange(len(uv))
-    for turn in range(25):
+    for turn in range(MOST_TURNS):
         here = ground.at(uv[active])
         to_first, to_second = here - first[active], here - second[active]
-        across = np.where(on_plane[active, None], plane[active], to_second)
-        misses = np.stack([_miss(to_first, step), _miss(to_second, step)], axis=1)
         flat = on_plane[active]
+        across = np.where(flat[:, None], plane[active], to_second)
+        misses = np.stack([_length(to_first) - step, _length(to_second) - step], axis=1)
         misses[flat, 1] = np.einsum("ij,ij->i", to_first, across)[flat]
         points[active], error[active] = here, np.abs(misses).max(axis=1) / step
-        rounding = 4e-16 * np.abs(here).max(axis=1, initial=0.0) / step
-        going = ~(error[active] <= SOUGHT + rounding)
-        # Slopes of the last turn do, once it is near.
-        if turn > 0:
-            stale = active[going & ~(error[active] < 1e-4)]
-        else:
-            stale = active
+        outside = ((uv[active] < 0.0) | (uv[active] > 1.0)).any(axis=1)
+        sought = np.where(outside, SOUGHT_OUTSIDE, SOUGHT) + 4e-16 * np.abs(here).max(axis=1) / step
+        going = ~(error[active] <= sought)
         active = active[going]
         if not len(active):
             break
+        # The slopes of the turn before do, once it is near.
+        stale = active if turn == 0 else active[~(error[active] < 1e-3)]
         if len(stale):
             slopes[stale] = _rough_slopes(ground, uv[stale], points[stale])
-        rows = np.stack([to_first[going], across[going]], axis=1)
-        rows = unit(rows)
-        matrix = np.einsum("nrk,nak->nra", rows, slopes[active])
+        rows = unit(np.stack([to_first[going], across[going]], axis=1))
+        matrix = rows @ slopes[active].transpose(0, 2, 1)
         uv[active] = ground.moved(uv[active], _bounded(_solved(matrix, -misses[going]), slopes[active], step))
     return uv, points, error
 
 
-def _miss(away, step):
-    return np.linalg.norm(away, axis=1) - step
+def _length(vectors):
+    return np.sqrt(np.einsum("...i,...i->...", vectors, vectors))
 
 
 def _rough_slopes(ground, uv, points):
@@ -308,27 +312,27 @@ def _rough_slopes(ground, uv, points):
 
 
 def _solved(matrix, right):
+    """(n, 2) solutions of n pairs of equations, zero where they have none."""
     (p, q), (r, s) = matrix.transpose(1, 2, 0)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        solution = np.stack([s * right[:, 0] - q * right[:, 1], p * right[:, 1] - r * right[:, 0]], axis=1)
-        return np.nan_to_num(solution / (p * s - q * r)[:, None], posinf=0.0, neginf=0.0)
+    determinant = p * s - q * r
+    solution = np.stack([s * right[:, 0] - q * right[:, 1], p * right[:, 1] - r * right[:, 0]], axis=1)
+    return solution / np.where(determinant == 0.0, np.inf, determinant)[:, None]
 
 
 def _bounded(by, slopes, step):
     """Moves of half a step at most: farther off the slopes say nothing."""
-    lengths = np.linalg.norm(np.einsum("na,nak->nk", by, slopes), axis=1)
+    lengths = _length((by[:, None] @ slopes)[:, 0])
     return by * np.minimum(1.0, 0.5 * step / np.maximum(lengths, 1e-300))[:, None]
 
 
 def towards(slopes, away):
     """(n, 2) moves that come nearest to displacements. slopes: (n, 2, 3); away: (n, 3) [mm]."""
-    matrix = np.einsum("nak,nbk->nab", slopes, slopes)
-    return _solved(matrix, np.einsum("nak,nk->na", slopes, away))
+    return _solved(slopes @ slopes.transpose(0, 2, 1), (slopes @ away[:, :, None])[:, :, 0])
 
 
 def unit(vectors):
     """Vectors of length one, along the last axis."""
-    return vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-300)
+    return vectors / np.maximum(_length(vectors), 1e-300)[..., None]
 
 
 def _short_way(by, closed):

@@ -11,6 +11,7 @@ import numpy as np
 
 # Differences of the parameters, of which slopes are made.
 SLOPE_DIFFERENCE = 1e-5
+BORDER_DIFFERENCE = 1e-3
 
 # Within this much of a smooth pole, in parameters, places are counted in the plane that is tangent to it.
 CAP = 0.25
@@ -66,28 +67,30 @@ class Ground:
 
     def at(self, uv):
         """(n, 3) points [mm]."""
-        inner = np.clip(uv, 0.0, 1.0)
+        inner = np.minimum(np.maximum(uv, 0.0), 1.0)
         beyond = uv - inner
-        points = self.chart.point(inner[:, 0], inner[:, 1])
-        for axis in (0, 1):
-            out = np.flatnonzero(beyond[:, axis])
-            if len(out):
-                # The slope at the border, by the points just inside.
-                step = np.zeros((len(out), 2))
-                step[:, axis] = -np.sign(beyond[out, axis]) * SLOPE_DIFFERENCE
-                first, second = (self.chart.point(*(inner[out] + n * step).T) for n in (1, 2))
-                here = self.chart.point(*inner[out].T)
-                slope = (4.0 * (first - here) - (second - here)) / (2.0 * step[:, axis, None])
-                points[out] += beyond[out, axis, None] * slope
-        return points
+        out, axes = np.nonzero(beyond)
+        if not len(out):
+            return self.chart.point(inner[:, 0], inner[:, 1])
+        # The slope at the border is that of a parabola through it and two points inside.
+        inwards = np.zeros((len(out), 2))
+        far = beyond[out, axes]
+        inwards[np.arange(len(out)), axes] = -np.sign(far) * BORDER_DIFFERENCE
+        points = self.chart.point(*np.vstack([inner, inner[out] + inwards, inner[out] + 2.0 * inwards]).T)
+        points, first, second = np.split(points, [len(uv), len(uv) + len(out)])
+        slope = (4.0 * first - 3.0 * points[out] - second) / (2.0 * inwards.sum(axis=1)[:, None])
+        extended = points.copy()
+        np.add.at(extended, out, far[:, None] * slope)
+        return extended
 
     def moved(self, uv, by):
         """Places after a small move, which near a smooth pole is counted in the plane of the pole."""
         moved = uv + by
         for cap, near in self._near(uv):
             moved[near] = cap.uv(cap.flat(uv[near]) + by[near])
-        moved[:, self.closed] %= 1.0
-        return np.clip(moved, self.low, self.high)
+        if self.closed.any():
+            moved[:, self.closed] %= 1.0
+        return np.minimum(np.maximum(moved, self.low), self.high)
 
     def apart(self, uv, other):
         """(n, 2) the moves that lead from places to others, the short way round."""
@@ -127,7 +130,7 @@ class Ground:
         return slopes[0, 0]
 
     def beyond(self, uv, slopes):
-        """(n,) how far places lie outside the face [mm]."""
+        """(n,) how far places lie outside the face [mm]. slopes: (n, 2, 3) there [mm]."""
         return np.linalg.norm((uv - np.clip(uv, 0.0, 1.0))[:, :, None] * slopes, axis=2).sum(axis=1)
 
     def at_end(self, uv):
