@@ -273,7 +273,7 @@ def meet(ground, uv, first, second, plane, step):
     uv = ground.moved(uv, np.zeros_like(uv))
     on_plane = plane.any(axis=1)
     points, error = np.empty((len(uv), 3)), np.full(len(uv), np.inf)
-    slopes = np.empty((len(uv), 2, 3))
+    slopes, frames = np.empty((len(uv), 2, 3)), np.full(len(uv), -1.0)
     active = np.arange(len(uv))
     for turn in range(MOST_TURNS):
         here = ground.at(uv[active])
@@ -290,7 +290,9 @@ def meet(ground, uv, first, second, plane, step):
         if not len(active):
             break
         # The slopes of the turn before do, once it is near.
-        stale = active if turn == 0 else active[~(error[active] < 1e-3)]
+        frame = ground.frames(uv[active])
+        stale = active[~(error[active] < 1e-3) | (frame != frames[active])]
+        frames[active] = frame
         if len(stale):
             slopes[stale] = _rough_slopes(ground, uv[stale], points[stale])
         rows = unit(np.stack([to_first[going], across[going]], axis=1))

@@ -118,6 +118,12 @@ class Ground:
             result[:, axis] /= weights[:, None]
         return result
 
+    def frames(self, uv):
+        """(n,) numbers that are equal where moves are counted alike."""
+        return sum(
+            (near * (number + 1) for number, (_, near) in enumerate(self._near(uv))), np.zeros(len(uv))
+        )
+
     def along_u(self, uv, slopes):
         """(3,) direction in which u grows at one place; at a pole, the limit along its isoline."""
         for cap, near in self._near(uv):
