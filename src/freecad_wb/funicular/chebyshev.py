@@ -17,9 +17,9 @@ import numpy as np
 
 import funicular as fn
 
+from . import whole_cells
 from .compass import MOST_NODES, Laying
 from .ground import Ground
-from . import whole_cells
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,8 @@ class Stop:
     """A place where the net could not go on, though the face does.
 
     grid: (steps along the first, along the second direction) of the node that is missing.
-    point: (3,) where it would be, or nearly so [mm]. reason: "shear", "fold", "overlap", "pole" or "no point".
+    point: (3,) where it would be, or nearly so [mm].
+    reason: "shear", "fold", "overlap", "pole" or "no point".
     text: the same in a sentence, with numbers.
     """
 
@@ -39,8 +40,8 @@ class Stop:
 
 @dataclass(frozen=True)
 class EqualLengthNet:
-    """nodes: (n, 3) [mm]; uv: (n, 2) their parameters in the chart's unit square; grid: (n, 2) int, steps from
-    the start along the first and along the second direction. members: (m, 2) node numbers, those along the
+    """nodes: (n, 3) [mm]; uv: (n, 2) their parameters in the chart's unit square; grid: (n, 2) int, steps
+    from the start along the first and along the second direction. members: (m, 2) node numbers, those along the
     first direction before the others; panels: (k, 4) node numbers round each quad, as u turns to v.
     rims: tuple of arrays of node numbers, one for each closed border, the net on its left; the last node is
     joined to the first. remarks: sentences on what was left out and why. stopped: tuple of Stop.
@@ -59,8 +60,8 @@ class EqualLengthNet:
 def equal_length_net(chart, step, start=(0.5, 0.5), angle=0.0, crossing=90.0, most_shear=60.0, inside=None):
     """The net of members of one length that grows from a start point on a face.
 
-    chart: a `surface.Chart`. step: length of the members, straight between nodes [mm]. start: parameters of the
-    first node in the unit square. angle: from the direction of growing u to the first guide [degrees], as u
+    chart: a `surface.Chart`. step: length of the members, straight between nodes [mm]. start: parameters of
+    the first node in the unit square. angle: from the direction of growing u to the first guide [degrees], as u
     turns to v. crossing: from the first guide to the second [degrees]. most_shear: how far the angle between
     two members at a node may be from 90 degrees, at most 80. inside: (a, b) -> array of bool, which nodes a
     trimmed face keeps; the rest of the chart is still walked on.
@@ -91,17 +92,15 @@ def _checked(chart, step, start, angle, crossing, most_shear):
         raise fn.InvalidInput(f"most_shear is {most_shear:g}°: give more than 0° and at most 80°")
     if not abs(crossing - 90.0) <= most_shear:
         raise fn.InvalidInput(
-            f"crossing is {crossing:g}°, which most_shear = {most_shear:g}° does not allow: give an angle from "
-            f"{90.0 - most_shear:g}° to {90.0 + most_shear:g}°"
+            f"crossing is {crossing:g}°, which most_shear = {most_shear:g}° does not allow: give an "
+            f"angle from {90.0 - most_shear:g}° to {90.0 + most_shear:g}°"
         )
     given = np.asarray(start, dtype=float)
     if given.shape != (2,):
         raise fn.InvalidInput(f"start has shape {given.shape}: give two numbers from 0 to 1")
     for index, value in enumerate(given):
         if not 0.0 <= value <= 1.0:
-            raise fn.InvalidInput(
-                f"start[{index}] is {value:g}, outside the face: give a number from 0 to 1 along {'uv'[index]}"
-            )
+            raise fn.InvalidInput(f"start[{index}] is {value:g}, outside the face: give a number from 0 to 1")
     if step > chart.size:
         raise fn.InvalidInput(
             f"step is {step:g} mm, larger than the face, which measures {chart.size:.6g} mm from corner to "
@@ -110,7 +109,8 @@ def _checked(chart, step, start, angle, crossing, most_shear):
     nodes = float(chart.table.lengths_u.mean()) * float(chart.table.lengths_v.mean()) / step**2
     if nodes > MOST_NODES:
         raise fn.InvalidInput(
-            f"step = {step:g} mm would make about {nodes:.0f} nodes, more than {MOST_NODES}: give a larger step"
+            f"step = {step:g} mm would make about {nodes:.0f} nodes, more than {MOST_NODES}: "
+            "give a larger step"
         )
     return given[None, :]
 
@@ -136,8 +136,8 @@ def _assembled(laying, inside):
     cells = whole_cells.hanging_together(all_cells, tuple((-low).tolist()))
     if not cells.any():
         raise fn.InvalidInput(
-            f"no whole cell of step = {laying.step:g} mm fits on the face at start ({uv[0, 0]:g}, {uv[0, 1]:g}): "
-            "give a smaller step, or start farther from the border" + _why_at_start(laying)
+            f"no whole cell of step = {laying.step:g} mm fits on the face at start ({uv[0, 0]:g}, "
+            f"{uv[0, 1]:g}): give a smaller step, or start farther from the border" + _why_at_start(laying)
         )
 
     panels = numbers[tuple(np.moveaxis(whole_cells.corners(cells), -1, 0))]
@@ -169,8 +169,8 @@ def _inside(inside, uv):
     answer = np.asarray(inside(uv[:, 0], uv[:, 1]))
     if answer.shape != (len(uv),) or answer.dtype != bool:
         raise fn.InvalidInput(
-            f"inside gave {answer.dtype} of shape {answer.shape} for {len(uv)} points: it has to give a bool for "
-            "each"
+            f"inside gave {answer.dtype} of shape {answer.shape} for {len(uv)} points: it has to give "
+            "a bool for each"
         )
     return answer
 
@@ -211,7 +211,7 @@ def _remarks(laying, stopped, at_border, dropped):
     remarks = []
     if at_border:
         remarks.append(
-            f"Cells are whole, as members of less than {laying.step:g} mm would be needed to reach the border: "
+            f"Cells are whole, as members shorter than {laying.step:g} mm would be needed up to the border: "
             "the net ends within a cell of it, in steps."
         )
     for reason, sentence in (
