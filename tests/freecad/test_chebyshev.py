@@ -196,7 +196,7 @@ def test_on_a_cylinder_it_unrolls_to_a_lattice(angle, crossing):
     check(net, chart, step)
 
     def chord(degrees):
-        """(turn, rise) of the chord of the step's length whose ends lie in a plane through the first normal."""
+        """(turn, rise) of the chord of the step's length whose ends lie in a plane with the first normal."""
         along, up = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
         low, high = 0.0, 1.0
         for _ in range(200):
@@ -279,7 +279,7 @@ def spherical_area(net, n):
 
 
 def test_the_angles_of_a_quadrilateral_fall_short_by_the_curvature_in_it():
-    """Hazzidakis: with w'uv = -K sin w, the interior angles sum up to 2 pi less the integral of K; on a sphere
+    """Hazzidakis: w'uv = -K sin w, so the interior angles sum up to 2 pi less the integral of K; on a sphere
     of radius 1 that is the area. Second order in the step."""
     errors = []
     for n in (8, 16):

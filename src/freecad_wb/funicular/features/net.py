@@ -7,32 +7,17 @@ import numpy as np
 
 import funicular as fn
 
+from .. import surface
+from ..chebyshev import equal_length_net
 from ..edits import Edits, Places, edited
 from ..laying import Division, Laid, lattice_on, lay_on_face
 from ..mesh_source import mesh_of, net_of_mesh, read_mesh_file
 from ..several_faces import lay_on_faces
 from ..wireframe import net_of_edges
 from .elements import nodes_on_elements
-from .feature import Feature, Property, amount
+from .feature import Feature, amount
+from .net_properties import EQUAL_LENGTHS, PATTERNS, PROPERTIES, SPACINGS
 from .source import Edges, File, Mesh, read_source
-
-# fn.patterns() as an architect reads them; written out, as this module has to load without the core.
-PATTERNS = (
-    "Quad",
-    "Diagonal",
-    "Other diagonal",
-    "Alternating",
-    "Crossed",
-    "Centred",
-    "Diagrid",
-    "Triangle",
-    "Hexagon",
-    "Kagome",
-    "Ribs u",
-    "Ribs v",
-)
-
-SPACINGS = ("Length", "Parameter")
 
 # OCCT takes points within 1e-7 mm of each other for one.
 SHORTEST_EDGE = 1e-7
@@ -42,141 +27,7 @@ class Net(Feature):
     """Proxy of a Net: lays a pattern on its source. Lengths in mm."""
 
     TYPE = "Net"
-    PROPERTIES = (
-        Property("App::PropertyLinkSub", "Source", "Net", "The face or faces that the net lies on"),
-        Property(
-            "App::PropertyEnumeration", "Pattern", "Net", "How members are laid on the face", "Quad", PATTERNS
-        ),
-        Property(
-            "App::PropertyLength",
-            "StepU",
-            "Net",
-            "Length of members along u, measured on the face",
-            "1 m",
-            unit="mm",
-        ),
-        Property(
-            "App::PropertyLength",
-            "StepV",
-            "Net",
-            "Length of members along v, measured on the face",
-            "1 m",
-            unit="mm",
-        ),
-        Property("App::PropertyInteger", "CountU", "Net", "Cells along u, in place of StepU; 0 for none", 0),
-        Property("App::PropertyInteger", "CountV", "Net", "Cells along v, in place of StepV; 0 for none", 0),
-        Property(
-            "App::PropertyBool", "SwapUV", "Net", "Turn the pattern: what ran along u runs along v", False
-        ),
-        Property(
-            "App::PropertyEnumeration",
-            "Spacing",
-            "Net",
-            "What is equal from cell to cell: the length on the face, or the surface's parameters",
-            SPACINGS[0],
-            SPACINGS,
-        ),
-        Property(
-            "App::PropertyLength",
-            "Width",
-            "Sheet",
-            "Of a flat sheet, where there is no source",
-            0.0,
-            unit="mm",
-        ),
-        Property(
-            "App::PropertyLength",
-            "Depth",
-            "Sheet",
-            "Of a flat sheet, where there is no source",
-            0.0,
-            unit="mm",
-        ),
-        Property(
-            "App::PropertyFile",
-            "File",
-            "Mesh",
-            "A mesh file (obj, ply, stl, off; metres) that is taken as it is, where there is no source",
-        ),
-        Property(
-            "App::PropertyLength",
-            "Weld",
-            "Mesh",
-            "Vertices of a mesh as near as this are one node; 0 for 1e-6 of its size",
-            0.0,
-            unit="mm",
-        ),
-        Property(
-            "App::PropertyLength",
-            "Chord",
-            "Edges",
-            "Curved edges are divided into parts no longer than this; 0 for one member each",
-            0.0,
-            unit="mm",
-        ),
-        *(
-            Property(kind, name, "Edits", tooltip)
-            for kind, name, tooltip in (
-                (
-                    "App::PropertyVectorList",
-                    "Raised",
-                    "(u, v, height in mm): the node nearest to (u, v) on the face is raised, or lowered",
-                ),
-                (
-                    "App::PropertyVectorList",
-                    "RemovedPanels",
-                    "(u, v) on the face: the nearest panel becomes an opening",
-                ),
-                (
-                    "App::PropertyVectorList",
-                    "RemovedMembers",
-                    "(u, v) on the face: the nearest member is taken out, and the panels beside it are one",
-                ),
-                ("App::PropertyIntegerList", "RaisedNodes", "Numbers of nodes, for nets that keep them"),
-                ("App::PropertyFloatList", "RaisedHeights", "By how much each of RaisedNodes is raised [mm]"),
-                ("App::PropertyIntegerList", "RemovedPanelNumbers", "Panels that become openings, by number"),
-                ("App::PropertyIntegerList", "RemovedMemberNumbers", "Members that are taken out, by number"),
-            )
-        ),
-        Property("App::PropertyString", "Remarks", "Net", "What came out otherwise", mode=("ReadOnly",)),
-        *(
-            Property("App::PropertyInteger", name, "Net", tooltip, mode=("ReadOnly",))
-            for name, tooltip in (
-                ("CellsU", "Number of cells along u"),
-                ("CellsV", "Number of cells along v"),
-                ("NodeCount", "Number of nodes"),
-                ("MemberCount", "Number of members"),
-                ("PanelCount", "Number of panels"),
-            )
-        ),
-        *(
-            Property(kind, name, "Net", tooltip, mode=("ReadOnly", "Hidden"))
-            for kind, name, tooltip in (
-                ("App::PropertyVectorList", "SourceNodes", "Nodes on the face, in the numbering of the net"),
-                ("App::PropertyString", "SampledPattern", "The pattern that the nodes were laid in"),
-                ("App::PropertyBool", "SampledSwap", "Whether that was turned"),
-                ("App::PropertyBool", "ClosedU", "The last cell along u joins the first"),
-                ("App::PropertyBool", "ClosedV", "The last cell along v joins the first"),
-                ("App::PropertyStringList", "Poles", "Sides of the face that are one point"),
-                ("App::PropertyIntegerList", "Members", "Two nodes a member; empty for a lattice"),
-                ("App::PropertyIntegerList", "Panels", "Of each panel how many nodes, then their numbers"),
-                (
-                    "App::PropertyStringList",
-                    "SourceElements",
-                    "Edges and vertices of the source that hold nodes",
-                ),
-                ("App::PropertyIntegerList", "ElementNodes", "Of each how many nodes, then their numbers"),
-                (
-                    "App::PropertyIntegerList",
-                    "OpeningNodes",
-                    "Of each opening how many nodes, then their numbers",
-                ),
-                ("App::PropertyFloatList", "OpeningAreas", "Area of each opening on the source [mm²]"),
-                ("App::PropertyVectorList", "NodePlaces", "(u, v) of each node that is on no lattice"),
-                ("App::PropertyString", "SourceBody", "What the face belonged to when it was picked"),
-            )
-        ),
-    )
+    PROPERTIES = PROPERTIES
 
     def onChanged(self, obj, name):
         super().onChanged(obj, name)
@@ -216,11 +67,33 @@ def _lay(obj, source):
         wires = net_of_edges(source.shapes, source.name, amount(obj, "Chord", "mm") or None)
         return _of(wires), wires.edge_nodes if len(source.shapes) == 1 else {}
     division = _division(obj)
-    if len(source.faces) == 1:
+    if obj.Laying == EQUAL_LENGTHS:
+        laid = _of_equal_lengths(obj, source, division.step_u)
+    elif len(source.faces) == 1:
         laid = lay_on_face(source.faces[0], source.names[0], division)
     else:
         laid = lay_on_faces(source, division)
     return laid, nodes_on_elements(source.body, source.faces, laid.nodes)
+
+
+def _of_equal_lengths(obj, source, step):
+    if len(source.faces) > 1:
+        raise fn.InvalidInput(
+            "Laying: a net of equal lengths lies on one face; pick a single one, or lay along isolines"
+        )
+    chart = surface.read_face(source.faces[0], source.names[0])
+    made = equal_length_net(
+        chart,
+        step,
+        (obj.Start.x, obj.Start.y),
+        obj.Angle.Value,
+        obj.Crossing.Value,
+        obj.MostShear.Value,
+    )
+    panels = tuple(tuple(panel) for panel in made.panels.tolist())
+    closed = chart.closed_u, chart.closed_v
+    remarks = tuple(remark.rstrip(".") for remark in made.remarks)
+    return Laid(made.nodes, made.members, panels, closed=closed, remarks=remarks, uv=made.uv)
 
 
 def _edits(obj):
