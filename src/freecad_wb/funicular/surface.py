@@ -341,9 +341,9 @@ def _plane_axes(face):
     for edge in face.Edges:
         if isinstance(edge.Curve, (Part.Line, Part.LineSegment)):
             curve, first, last = face.curveOnSurface(edge)
-            x, y = curve.value(last) - curve.value(first)
-            angle = np.arctan2(y, x)
-            straight.append((np.hypot(x, y), angle - np.pi / 2 * np.round(angle / (np.pi / 2))))
+            along = curve.value(last) - curve.value(first)
+            angle = np.arctan2(along.y, along.x)
+            straight.append((np.hypot(along.x, along.y), angle - np.pi / 2 * np.round(angle / (np.pi / 2))))
     longest = max((length for length, _ in straight), default=0.0)
     turns = [angle for length, angle in straight if length >= longest * (1.0 - 1e-6)]
     turn = min(turns, key=lambda angle: (round(abs(angle), 9), -angle), default=0.0)
