@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Clipping of panels by an outline, of which only signs are known: what is left of each, as rings of nodes.
 
-A node is inside (1), on the outline (0) or outside (-1); an edge between inside and outside is cut once. So two
-panels always agree on what is left of the edge between them. Numbers only: knows nothing of FreeCAD.
+A node is inside (1), on the outline (0) or outside (-1); an edge between inside and outside is cut once. So
+two panels always agree on what is left of the edge between them. Numbers only: knows nothing of FreeCAD.
 """
 
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ class Rings:
     """Panels as one list of nodes, and the edges between them.
 
     nodes: the nodes of all panels one after the other. first: (p + 1,) where each panel begins. panel: of each
-    entry. edges: (k, 2) pairs of nodes, the lower first, once each. edge: of each entry, to the next in its ring.
+    entry. edges: (k, 2) pairs of nodes, the lower first, once each. edge: of each entry, to the next.
     """
 
     nodes: np.ndarray
@@ -43,7 +43,9 @@ class Rings:
     def select(self, panels):
         """Tuples of the nodes of some panels."""
         nodes = self.nodes.tolist()
-        return [tuple(nodes[a:b]) for a, b in zip(self.first[panels].tolist(), self.first[panels + 1].tolist())]
+        return [
+            tuple(nodes[a:b]) for a, b in zip(self.first[panels].tolist(), self.first[panels + 1].tolist())
+        ]
 
 
 def clip(rings, sign, cut_node, gap):
@@ -66,9 +68,7 @@ def clip(rings, sign, cut_node, gap):
     partly = (inner & outer) | (inner & (crossed > 0)) | (~inner & (on + crossed >= 3))
     for panel in np.flatnonzero(partly).tolist():
         entries = slice(rings.first[panel], rings.first[panel + 1])
-        runs = _runs(
-            *(each[entries].tolist() for each in (rings.nodes, of_entry, cuts, gap[rings.edge]))
-        )
+        runs = _runs(*(each[entries].tolist() for each in (rings.nodes, of_entry, cuts, gap[rings.edge])))
         joined = tuple(chain.from_iterable(runs))
         if not inner[panel]:
             doubtful.append((panel, joined, ()))
@@ -100,10 +100,8 @@ def _runs(nodes, signs, cuts, gaps):
 
 
 def border(panels):
-    """(edges, edge_of): directed edges (k, 2) of panels that no other panel has the other way round.
-
-    Raises ValueError with the nodes of an edge that two panels have the same way round.
-    """
+    """(edges, twice): directed edges (k, 2) of panels that no other panel has, and edges that more than one
+    panel has the same way round."""
     rings = Rings.of(panels)
     following = np.arange(len(rings.nodes)) + 1
     following[rings.first[1:] - 1] = rings.first[:-1]
@@ -113,11 +111,7 @@ def border(panels):
     backwards = np.bincount(rings.edge[~ahead], minlength=count)
     twice = np.flatnonzero((forwards > 1) | (backwards > 1))
     alone = (forwards + backwards == 1)[rings.edge]
-    return (
-        np.column_stack([rings.nodes, rings.nodes[following]])[alone],
-        rings.edges,
-        rings.edges[twice],
-    )
+    return np.column_stack([rings.nodes, rings.nodes[following]])[alone], rings.edges[twice]
 
 
 def loops(edges):

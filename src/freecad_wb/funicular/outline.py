@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The outline of a trimmed face: its edges as fine polylines in the plane of a lattice.
 
-That plane has members of length one: x = s · (cells along u) · (extent of a cell along u), and y likewise. In a
-closed direction it repeats after its period. Seams and poles are no outline, but tell what lies inside.
+That plane has members of length one: x = s · (cells along u) · (extent of a cell along u), and y likewise. In
+a closed direction it repeats after its period. Seams and poles are no outline, but tell what lies inside.
 """
 
 from dataclasses import dataclass
@@ -25,6 +25,9 @@ ON_SIDE = 1e-4
 
 # How far apart the surface over a trimming curve and the edge itself may be [mm]; beyond it the edge counts.
 APART = 1e-4
+
+# A share of a segment this near to one is its end.
+ROUNDING = 1e-9
 
 # What of the period a ray keeps away from the ends of the rectangle, where edges begin and end.
 INDENT = 1e-4
@@ -73,12 +76,12 @@ class Outline:
 
     def points(self, places):
         """(n, 3) points [mm] on the edges themselves, and on the surface."""
-        surface = self.face.Surface
+        surface, edges = self.face.Surface, self.face.Edges
         found = []
         for edge, parameter in zip(*(each.tolist() for each in self.parameters(places))):
             uv = self.curves[edge].value(parameter)
             point = surface.value(uv.x, uv.y)
-            on_edge = self.face.Edges[edge].valueAt(parameter)
+            on_edge = edges[edge].valueAt(parameter)
             if (point - on_edge).Length > APART:
                 point = surface.value(*surface.parameter(on_edge))
             found.append(tuple(point))
@@ -101,13 +104,12 @@ class Outline:
         _, leading = np.unique(point, return_index=True)
         point, segment = point[leading], segment[leading]
         places, distances = np.full(len(points), -1.0), np.full(len(points), np.inf)
-        for beside in (self._before(segment), segment):
+        for beside in (self.before(segment), segment):
             along = self.end[beside] - self.start[beside]
             away = self.offset(points[point] - self.start[beside])
             share = np.clip((away * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-300), 0, 1)
             apart = np.linalg.norm(away - share[:, None] * along, axis=1)
-            # What is a start of one segment and an end of another is the start.
-            place = np.where(share < 1.0, beside + share, self._after(beside))
+            place = np.where(share < 1.0 - ROUNDING, beside + share, self._after(beside))
             better = apart < distances[point] * (1.0 - 1e-12)
             places[point[better]], distances[point[better]] = place[better], apart[better]
         return places, distances
@@ -130,7 +132,7 @@ class Outline:
         share = np.clip(away @ chord / max(chord @ chord, 1e-300), 0.0, 1.0)
         return np.linalg.norm(away - share[:, None] * chord, axis=1).max()
 
-    def lowest(self, point, axis):
+    def nearest_to_side(self, point, axis):
         """(place, distance) of what is nearest to a pole: a point that is all of a side across an axis."""
         apart = np.abs(self.start[:, axis] - point[axis])
         place = int(np.argmin(apart))
@@ -151,7 +153,10 @@ class Outline:
         at = to_start[changes] + share[:, None] * (to_end[changes] - to_start[changes])
         on_line = (at * along).sum(axis=1) / (along**2).sum(axis=1)
         within = (on_line >= 0.0) & (on_line <= 1.0)
-        return line[within], on_line[within], segment[within] + share[within]
+        segment, share = segment[within], share[within]
+        # What is a start of one segment and an end of another is the start.
+        place = np.where(share < 1.0 - ROUNDING, segment + share, self._after(segment))
+        return line[within], on_line[within], place
 
     def inside(self, points):
         """Whether points lie inside, by the parity of what lies below them."""
@@ -161,7 +166,8 @@ class Outline:
             x %= self.period[0]
         if np.isfinite(self.period[1]):
             y %= self.period[1]
-        x = np.clip(x, INDENT * extent_x, (1.0 - INDENT) * extent_x)
+        # Off the lines on which nodes and vertices meet by design, as their last digits differ.
+        x = np.clip(x + 0.123 * INDENT, INDENT * extent_x, (1.0 - INDENT) * extent_x)
         y = np.clip(y, INDENT * extent_y, (1.0 - INDENT) * extent_y)
         start, end = self.fence
         parity = np.zeros(len(x), dtype=bool)
@@ -180,7 +186,28 @@ class Outline:
             parity[here] = np.count_nonzero(spans & (height <= y[here][:, None]), axis=1) % 2 == 1
         return parity
 
-    def _before(self, segments):
+    def width(self, loop):
+        """The least extent of a loop over all directions, in members."""
+        at = self.start[list(self.loops[loop])]
+        steps = self.offset(np.diff(at, axis=0))
+        at = np.vstack([np.zeros(2), np.cumsum(steps, axis=0)])
+        angles = np.linspace(0.0, np.pi, 36, endpoint=False)
+        return np.ptp(at @ [np.cos(angles), np.sin(angles)], axis=0).min()
+
+    def rank(self, loop):
+        """What sorts loops: those round a closed direction, then the outer wire's, then the longer ones."""
+        segments = list(self.loops[loop])
+        steps = self.end[segments] - self.start[segments]
+        around = np.abs(steps.sum(axis=0)) > 0.5
+        outer = self.face.OuterWire.Edges
+        edge = self.face.Edges[self.edge[segments[0]]]
+        return (
+            not around.any(),
+            not any(edge.isSame(each) for each in outer),
+            -round(float(np.linalg.norm(steps, axis=1).sum()), 6),
+        )
+
+    def before(self, segments):
         return self._turned(segments, -1)
 
     def _after(self, segments):
@@ -339,4 +366,3 @@ def _chains(face, lines, size, name):
             at = int(partner[at ^ 1])
         chains.append(chain)
     return chains
-

@@ -1,5 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nets on trimmed faces: a lattice on the whole rectangle of parameters, cut along the face's outline."""
+"""Nets on trimmed faces: a lattice on the whole rectangle of parameters, cut along the face's outline.
+
+All is decided in the plane of the lattice, in which members are about one long (see `outline`). Nodes that
+the outline passes nearer than a third of their shortest member are moved onto it, and each corner of it takes
+the node that is nearest, of like ones rather one outside; both are decided for all nodes from where they lay,
+so that the numbering has no say. Then every edge between a node inside and one outside is cut once, and panels
+are clipped between the cuts. What the net has no room for is refused by the name of the edge.
+
+In that plane no panel is smaller than LEAST_AREA of the whole panel that it was cut from, no angle less than
+LEAST_ANGLE, and no member shorter than LEAST_LENGTH of a step; what would be is refused. Panels round a pole
+have no shape in that plane and are left out.
+"""
 
 from dataclasses import dataclass
 
@@ -8,15 +19,23 @@ import numpy as np
 import funicular as fn
 
 from . import surface
-from .buckets import Buckets
 from .clipping import Rings, border, clip, loops
 from .outline import read_outline
+from .placing import place_nodes, pole_nodes
+from .shapes import areas_and_centres, shape_faults
 
-REACH = 1.0 / 3.0
-CORNER_REACH = 1.05
-INNER = 0.3
+# What is left of a panel that has no node inside counts from this part of it.
 LEAST_PIECE = 0.12
-RISE = 0.15
+
+LEAST_AREA = 0.04
+LEAST_ANGLE = np.radians(8.0)
+LEAST_LENGTH = 0.15
+
+# How far, in members, the outline may go away from a member of the border.
+LARGEST_RISE = 0.45
+
+# An opening this many members wide holds nodes that no third of a member brings onto its outline.
+ROOM = 2.5
 
 
 @dataclass(frozen=True)
@@ -26,7 +45,8 @@ class TrimmedNet:
     nodes: (n, 3) [mm]. members: (m, 2) node numbers. panels: list of tuples of node numbers, all round the
     same way. rims: the closed borders, each an array of node numbers in order with the net to the left, the
     outer one first, then one for each opening. edge_nodes: {"Edge3": the nodes on that edge of the face, in
-    order along it}. corners: the nodes where the outer border turns by more than 30 degrees, ascending.
+    order along it, those at its ends included}. corners: the nodes where the outer rim turns by more than 30
+    degrees, ascending.
     """
 
     nodes: np.ndarray
@@ -37,11 +57,14 @@ class TrimmedNet:
     corners: np.ndarray
 
 
-class Cut:
-    pass
-
-
 def trimmed_net(face, name, step_u, step_v, pattern="quad"):
+    """The TrimmedNet of a face in a pattern of fn.patterns().
+
+    face: Part.Face, trimmed or not, placed as it stands. name: how errors call it. step_u, step_v: lengths of
+    members along u and v [mm]; of a plane face u is the axis that `surface.read_rectangle` finds.
+    Raises InvalidInput as surface.read_rectangle, count_cells and sample do, for a face without an outline,
+    and for what is smaller than a cell: it names the edges and says what steps to give.
+    """
     chart, to_square = surface.read_rectangle(face, name)
     lattice = fn.lattice(
         *surface.count_cells(chart, step_u, step_v, pattern),
@@ -52,161 +75,174 @@ def trimmed_net(face, name, step_u, step_v, pattern="quad"):
     )
     extent = np.array(lattice.cells) * fn.cell_extent(pattern)
     outline = read_outline(face, name, chart, to_square, extent)
-    c = cut(lattice, extent, outline, chart)
-    return c
-
-
-def cut(lattice, extent, outline, chart):
-    xy = lattice.uv * extent
-    count = len(xy)
+    refusal = _Refusal(name, outline, step_u, step_v)
     rings = Rings.of(lattice.panels)
-    poles = _pole_nodes(lattice, chart)
-    a, b = rings.edges.T
-    xa, xb = _facing(xy, a, b, poles, outline)
-    length = np.linalg.norm(outline.offset(xa - xb), axis=1)
-    reach = np.full(count, np.inf)
-    np.minimum.at(reach, a, length)
-    np.minimum.at(reach, b, length)
-    places, apart = outline.nearest(xy)
-    for pole, axis in poles.items():
-        places[pole], apart[pole] = outline.lowest(xy[pole], axis)
-    on = apart <= REACH * reach * (1.0 + 1e-6)
-    sign = np.where(on, 0, np.where(outline.inside(xy), 1, -1))
-    place = np.where(on, places, -1.0)
-    for corner, node in _corner_nodes(outline, extent, xy, sign).items():
-        sign[node], place[node] = 0, corner
-
-    moved = xy.copy()
-    moved[place >= 0] = outline.plane(place[place >= 0])
-    ma, mb = _facing(moved, a, b, poles, outline)
-    is_cut, cut_place = _cuts(outline, (a, b), (xa, xb), (ma, mb), sign, place, reach)
-    cut_node = np.full(len(a), -1)
-    cut_node[is_cut] = count + np.arange(len(is_cut))
-    gap = (sign[a] + sign[b] == 1) & (cut_node >= 0)
-    place = np.concatenate([place, cut_place])
-    sign = np.concatenate([sign, np.zeros(len(is_cut), dtype=int)])
-    xy0 = np.concatenate([xy, outline.plane(cut_place)])
-    at_border = np.flatnonzero(place >= 0)
-    xy1 = xy0.copy()
-    xy1[at_border] = outline.plane(place[at_border])
-    whole, pieces, doubtful = clip(rings, sign, cut_node, gap)
-    kept = _decide(rings, xy, xy1, doubtful, outline)
-    panels = rings.select(whole) + [r for _, r in pieces] + [r for _, r in kept]
-    origin = np.concatenate([whole, [p for p, _ in pieces], [p for p, _ in kept]]).astype(int)
-    c = Cut()
-    c.__dict__.update(locals())
-    edges, _, twice = border(panels)
-    c.rims, c.ambiguous = loops(edges)
-    c.twice = twice
-    return c
+    poles = pole_nodes(lattice, chart.poles)
+    xy = lattice.uv * extent
+    placed = place_nodes(xy, rings.edges, outline, poles)
+    if len(placed.lost):
+        raise refusal("the outline", placed.lost)
+    panels, origin = _panels(rings, placed, xy, outline)
+    if not panels:
+        raise refusal("the face", [loop.start for loop in outline.loops])
+    rims, loops_of_rims = _rims(panels, placed.place, outline, refusal)
+    shortest = np.linalg.norm(outline.offset(xy[rings.edges[:, 0]] - xy[rings.edges[:, 1]]), axis=1).max()
+    for ring, fault in shape_faults(
+        panels,
+        placed.xy,
+        areas_and_centres(rings.select(origin), xy, outline)[0],
+        outline,
+        poles,
+        (LEAST_AREA, LEAST_ANGLE, LEAST_LENGTH * min(1.0, shortest)),
+    ):
+        at = [place for place in placed.place[list(ring)] if place >= 0.0]
+        raise refusal(f"a panel ({fault})", at)
+    return _assembled(panels, rims, loops_of_rims, lattice, rings, placed, chart, outline)
 
 
-def _decide(rings, xy, xy1, doubtful, outline):
-    kept = []
-    if not doubtful:
-        return kept
-    centres, areas = _centres([r for _, r, _ in doubtful], xy1, outline)
-    full = np.array([_centres(rings.select(np.array([p])), xy, outline)[1][0] for p, _, _ in doubtful])
-    inside = outline.inside(centres)
-    for (panel, joined, apart), within, area, f in zip(doubtful, inside, areas, full):
-        if apart == ():
-            if within and area >= LEAST_PIECE * f:
-                kept.append((panel, joined))
-        elif within:
-            kept.append((panel, joined))
-        else:
-            kept += [(panel, r) for r in apart]
-    return kept
+class _Refusal:
+    """Makes the InvalidInput of what is smaller than a cell."""
+
+    def __init__(self, name, outline, step_u, step_v):
+        self._name, self._outline, self._step = name, outline, min(step_u, step_v)
+
+    def __call__(self, what, places, room=0.5):
+        """what: does not fit. places: of the outline there. room: the part of the step that would do."""
+        edges = self._outline.parameters(np.asarray(places, dtype=float))[0] if len(places) else ()
+        around = ", ".join(f"Edge{edge + 1}" for edge in sorted(set(map(int, edges)))[:4]) or "its outline"
+        step = room * self._step
+        unit = 10.0 ** (np.floor(np.log10(step)) - 1.0)
+        return fn.InvalidInput(
+            f"{self._name}: {what} around {around} is smaller than a cell: give StepU, StepV of at most about "
+            f"{np.floor(step / unit) * unit:.10g} mm"
+        )
 
 
-def _centres(panels, xy, outline):
-    """((n, 2) mean of the corners, (n,) area) of rings in the plane of the lattice."""
-    centres, areas = [], []
-    for ring in panels:
-        at = xy[list(ring)]
-        away = outline.offset(at - at[0])
-        nxt = np.roll(away, -1, axis=0)
-        areas.append(0.5 * (away[:, 0] * nxt[:, 1] - away[:, 1] * nxt[:, 0]).sum())
-        centres.append(at[0] + away.mean(axis=0))
-    return np.array(centres), np.array(areas)
-
-
-def _pole_nodes(lattice, chart):
-    """{node: axis across the side} of nodes that are a whole side of the rectangle."""
-    found = {}
-    for side in chart.poles:
-        axis = 0 if side[0] == "u" else 1
-        at = 0.0 if side.endswith("min") else 1.0
-        found[int(np.flatnonzero(lattice.uv[:, axis] == at)[0])] = axis
-    return found
-
-
-def _facing(xy, a, b, poles, outline):
-    """Ends of lines between nodes, a pole's opposite to the other end."""
-    xa, xb = xy[a].copy(), xy[b].copy()
-    for pole, axis in poles.items():
-        for one, ends, others in ((a, xa, xb), (b, xb, xa)):
-            of_pole = one == pole
-            ends[of_pole, 1 - axis] = others[of_pole, 1 - axis]
-    return xa, xb
-
-
-def _corner_nodes(outline, extent, xy, sign):
-    """{corner segment: node that is moved onto it}."""
-    if not len(outline.corners):
-        return {}
-    corners = outline.start[outline.corners]
-    corner, node = Buckets(extent, outline.period, xy).pairs(corners)
-    distance = np.linalg.norm(outline.offset(xy[node] - corners[corner]), axis=1)
-    near = distance <= CORNER_REACH
-    corner, node, distance = corner[near], node[near], distance[near]
-    cost = (distance + INNER * (sign[node] > 0)).round(6)
-    taken, used = {}, set()
-    # Where costs are equal, position decides, not the numbering.
-    for k in np.lexsort((xy[node, 0].round(6), xy[node, 1].round(6), cost)).tolist():
-        place = int(outline.corners[corner[k]])
-        if place not in taken and int(node[k]) not in used:
-            taken[place] = int(node[k])
-            used.add(int(node[k]))
-    return taken
-
-
-def _cuts(outline, edges, ends, moved, sign, place, reach):
-    """(edges, places) at which edges are cut: see the module."""
-    a, b = edges
-    sum_ = np.abs(sign[a]) + np.abs(sign[b])
-    full = np.flatnonzero(sign[a] * sign[b] < 0)
-    half = np.flatnonzero(sum_ == 1)
-    full_place = _middle(*outline.crossings(ends[0][full], ends[1][full]), len(full))
-    line, share, at = outline.crossings(moved[0][half], moved[1][half])
-    on_b = sign[b[half]] == 0
-    on = np.where(on_b, b[half], a[half])
-    share = np.where(on_b[line], 1.0 - share, share)  # from the node on the outline
-    good = [
-        k
-        for k in range(len(line))
-        if 0.02 < share[k] < 0.98 and outline.rise(place[on[line[k]]], at[k]) > RISE
-    ]
-    line, at = line[good], at[good]
-    # an odd number
-    keep_line, keep_at = [], []
-    for l in np.unique(line):
-        these = np.flatnonzero(line == l)
-        if len(these) == 1:
-            keep_line.append(l)
-            keep_at.append(at[these[0]])
+def _panels(rings, placed, xy, outline):
+    """(panels, the panel of the lattice that each was cut from)."""
+    whole, pieces, doubtful = clip(rings, placed.sign, placed.cut_node, placed.gap)
+    if doubtful:
+        of = np.array([panel for panel, _, _ in doubtful])
+        areas, centres = areas_and_centres([joined for _, joined, _ in doubtful], placed.xy, outline)
+        full, _ = areas_and_centres(rings.select(of), xy, outline)
+        for (panel, joined, apart), within, share in zip(doubtful, outline.inside(centres), areas / full):
+            if within and (apart or share >= LEAST_PIECE):
+                pieces.append((panel, joined))
+            elif not within:
+                pieces += [(panel, ring) for ring in apart]
     return (
-        np.concatenate([full, half[np.array(keep_line, dtype=int)]]),
-        np.concatenate([full_place, keep_at]),
+        rings.select(whole) + [ring for _, ring in pieces],
+        np.concatenate([whole, [panel for panel, _ in pieces]]).astype(int),
     )
 
 
-def _middle(line, share, place, count):
-    """The place where the outline crosses each line; of several the one in the middle."""
-    order = np.lexsort((share, line))
-    line, place = line[order], place[order]
-    first = np.searchsorted(line, np.arange(count), side="left")
-    counts = np.searchsorted(line, np.arange(count), side="right") - first
-    if (counts == 0).any():
-        raise fn.InvalidInput("lost crossing")
-    return place[first + counts // 2]
+def _rims(panels, place, outline, refusal):
+    """(rims, number of the loop of the outline that each follows), the outer one first.
+
+    Raises InvalidInput unless each loop of the outline is followed once round, past all of its corners.
+    """
+    edges, twice = border(panels)
+    found, ambiguous = loops(edges)
+    used = np.unique(edges)
+    on_border = used[place[used] >= 0.0]
+    reached = np.bincount(outline.loop_of(place[on_border]), minlength=len(outline.loops))
+    for number, loop in enumerate(outline.loops):
+        if reached[number] < 3:
+            width = outline.width(number)
+            raise refusal("the opening", sorted({*_edge_starts(outline, loop)}), min(0.7, width / ROOM))
+    for nodes, what in ((twice.ravel(), "what lies between"), (ambiguous, "what lies between")):
+        if len(nodes):
+            raise refusal(what, [at for at in place[nodes] if at >= 0.0])
+    strangers = used[place[used] < 0.0]
+    if len(strangers):
+        raise refusal("what lies between", place[on_border])
+    missed = np.setdiff1d(outline.corners, place[used])
+    if len(missed):
+        raise refusal("a spike or corner", [missed[0], outline.before(missed[:1])[0]])
+    loops_of_rims = [int(outline.loop_of(place[rim[:1]])[0]) for rim in found]
+    for rim, number in zip(found, loops_of_rims):
+        at = place[rim]
+        steps = np.diff(np.append(at, at[0]))
+        backwards = np.count_nonzero(steps < 0) > np.count_nonzero(steps > 0)
+        turned = np.flatnonzero((steps >= 0) if backwards else (steps <= 0))
+        if (outline.loop_of(at) != number).any() or len(turned) != 1:
+            raise refusal("what lies between", at[turned] if len(turned) else at)
+        for a, b in zip(at.tolist(), np.roll(at, -1).tolist()):
+            if outline.rise(a, b) > LARGEST_RISE:
+                raise refusal("what lies between", [a, b])
+    if len(set(loops_of_rims)) != len(found):
+        raise refusal("what lies between", [loop.start for loop in outline.loops])
+    order = sorted(range(len(found)), key=lambda k: outline.rank(loops_of_rims[k]))
+    return [found[k] for k in order], [loops_of_rims[k] for k in order]
+
+
+def _edge_starts(outline, loop):
+    return [at for at in outline.joints if at in loop]
+
+
+def _assembled(panels, rims, loops_of_rims, lattice, rings, placed, chart, outline):
+    final = Rings.of(panels)
+    used = np.unique(final.nodes)
+    number = np.full(len(placed.place), -1)
+    number[used] = np.arange(len(used))
+    nodes = np.empty((len(used), 3))
+    at_border = placed.place[used] >= 0.0
+    places = placed.place[used[at_border]]
+    nodes[at_border] = outline.points(places)
+    if not at_border.all():
+        nodes[~at_border] = surface.sample(chart, lattice.uv[used[~at_border]])
+    members = _members(final, rims, lattice, rings, placed)
+    renumbered = Rings(number[final.nodes], final.first, final.panel, final.edges, final.edge)
+    corners = np.flatnonzero(np.isin(placed.place[used], outline.corners) & at_border)
+    of_outer = outline.loop_of(placed.place[used[corners]]) == loops_of_rims[0]
+    return TrimmedNet(
+        nodes=nodes,
+        members=number[members],
+        panels=renumbered.select(np.arange(len(panels))),
+        rims=tuple(number[rim] for rim in rims),
+        edge_nodes=_edge_nodes(np.flatnonzero(at_border), places, outline),
+        corners=corners[of_outer],
+    )
+
+
+def _members(final, rims, lattice, rings, placed):
+    """(m, 2) edges of panels that are members of the lattice, or parts of those, or on the border."""
+    count = len(placed.place)
+    key = np.sort(np.asarray(lattice.members), axis=1).astype(np.int64) @ [count, 1]
+    parents = rings.edges @ [count, 1]
+    is_member = np.isin(parents, key)
+    of_cut = np.zeros(count, dtype=bool)
+    cut = placed.cut_node >= 0
+    of_cut[placed.cut_node[cut]] = is_member[cut]
+    low, high = final.edges.T
+    kept = np.where(high < len(lattice.uv), np.isin(final.edges @ [count, 1], key), of_cut[high])
+    around = np.concatenate([np.sort(np.column_stack([rim, np.roll(rim, -1)]), axis=1) for rim in rims])
+    kept |= np.isin(final.edges @ [count, 1], around @ [count, 1])
+    members = [final.edges[kept]]
+    across = np.setdiff1d(key, parents)
+    if len(across):
+        # Members across a panel stay where all of it does.
+        squares = final.first[:-1][np.diff(final.first) == 4]
+        diagonals = np.concatenate(
+            [np.column_stack([final.nodes[squares + k], final.nodes[squares + k + 2]]) for k in (0, 1)]
+        )
+        diagonals = np.sort(diagonals, axis=1)
+        members.append(diagonals[np.isin(diagonals @ [count, 1], across)])
+    return np.concatenate(members)
+
+
+def _edge_nodes(nodes, places, outline):
+    """{"Edge3": nodes on that edge in order along it}."""
+    found = {}
+    edges, parameters = outline.parameters(places)
+    for node, place, edge, parameter in zip(
+        nodes.tolist(), places.tolist(), edges.tolist(), parameters.tolist()
+    ):
+        found.setdefault(edge, []).append((parameter, node))
+        before = outline.joints.get(place)
+        if before is not None and before[0] != edge:
+            found.setdefault(before[0], []).append((before[1], node))
+    return {
+        f"Edge{edge + 1}": np.array([node for _, node in sorted(on_it)])
+        for edge, on_it in sorted(found.items())
+    }
