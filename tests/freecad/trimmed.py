@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Trimmed faces of every kind that a net can lie on, by name: (face, openings beside the outer rim, handles)."""
+"""Trimmed faces of every kind that a net can lie on, by name: (face, openings, handles)."""
 
 import FreeCAD as App
 import Part
@@ -8,9 +8,8 @@ from faces import UP, V, bspline_roof, rectangle
 
 
 def face_of(shape, kind):
-    """The one face of a shape on a surface of this kind."""
-    (face,) = [face for face in shape.Faces if isinstance(face.Surface, kind)]
-    return face
+    """The largest face of a shape on a surface of this kind."""
+    return max((face for face in shape.Faces if isinstance(face.Surface, kind)), key=lambda face: face.Area)
 
 
 def drill(radius, base, direction=UP, length=20000):

@@ -186,6 +186,17 @@ class Outline:
             parity[here] = np.count_nonzero(spans & (height <= y[here][:, None]), axis=1) % 2 == 1
         return parity
 
+    def passes(self, first, between, last):
+        """Whether a place lies between two others of one loop, the short way round."""
+        for loop in self.loops:
+            if loop.start <= first < loop.stop:
+                break
+        if not (loop.start <= between < loop.stop and loop.start <= last < loop.stop):
+            return False
+        low, high = min(first, last), max(first, last)
+        within = low < between < high
+        return within if high - low <= len(loop) / 2 else not within and between not in (low, high)
+
     def width(self, loop):
         """The least extent of a loop over all directions, in members."""
         at = self.start[list(self.loops[loop])]

@@ -120,7 +120,15 @@ class _Refusal:
 
 def _panels(rings, placed, xy, outline):
     """(panels, the panel of the lattice that each was cut from)."""
-    whole, pieces, doubtful = clip(rings, placed.sign, placed.cut_node, placed.gap)
+    whole, clipped, doubtful = clip(rings, placed.sign, placed.cut_node, placed.gap)
+    sign, place = placed.sign.tolist(), placed.place.tolist()
+    pieces = []
+    for panel, ring in clipped:
+        for part in _split(ring, place, outline):
+            if any(sign[node] > 0 for node in part):
+                pieces.append((panel, part))
+            else:
+                doubtful.append((panel, part, ()))
     if doubtful:
         of = np.array([panel for panel, _, _ in doubtful])
         areas, centres = areas_and_centres([joined for _, joined, _ in doubtful], placed.xy, outline)
@@ -134,6 +142,14 @@ def _panels(rings, placed, xy, outline):
         rings.select(whole) + [ring for _, ring in pieces],
         np.concatenate([whole, [panel for panel, _ in pieces]]).astype(int),
     )
+
+
+def _split(ring, place, outline):
+    """A ring that the outline closes, in parts between the other nodes of it that the outline passes there."""
+    last, first = place[ring[-1]], place[ring[0]]
+    at = [k for k in range(1, len(ring) - 1) if place[ring[k]] >= 0.0]
+    at = [0, *(k for k in at if outline.passes(last, place[ring[k]], first)), len(ring) - 1]
+    return [ring[a : b + 1] for a, b in zip(at, at[1:]) if b - a >= 2]
 
 
 def _rims(panels, place, outline, refusal):
