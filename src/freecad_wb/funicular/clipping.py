@@ -15,8 +15,8 @@ import numpy as np
 class Rings:
     """Panels as one list of nodes, and the edges between them.
 
-    nodes: the nodes of all panels one after the other. first: (p + 1,) where each panel begins. panel: of each
-    entry. edges: (k, 2) pairs of nodes, the lower first, once each. edge: of each entry, to the next.
+    nodes: of all panels, one after the other. first: (p + 1,) where each panel begins. panel: of each entry.
+    edges: (k, 2) pairs of nodes, the lower first, once each. edge: of each entry, to the next.
     """
 
     nodes: np.ndarray
@@ -53,8 +53,8 @@ def clip(rings, sign, cut_node, gap):
 
     sign: (n,) of each node. cut_node: (k,) number of the node on each edge that is cut, -1 elsewhere.
     whole: numbers of panels. pieces: list of (panel, ring). doubtful: list of (panel, rings as one,
-    rings apart), of which only positions can tell: panels that the outline crosses twice, where it may be what
-    lies between the crossings or what lies beyond them, and those without an inner node.
+    rings apart), of which only positions can tell: panels that the outline crosses twice, where it may be
+    what lies between the crossings or what lies beyond them, and those without an inner node.
     """
     count = len(rings.first) - 1
     of_entry = sign[rings.nodes]

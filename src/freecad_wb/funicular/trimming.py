@@ -4,8 +4,8 @@
 All is decided in the plane of the lattice, in which members are about one long (see `outline`). Nodes that
 the outline passes nearer than a third of their shortest member are moved onto it, and each corner of it takes
 the node that is nearest, of like ones rather one outside; both are decided for all nodes from where they lay,
-so that the numbering has no say. Then every edge between a node inside and one outside is cut once, and panels
-are clipped between the cuts. What the net has no room for is refused by the name of the edge.
+so that the numbering has no say. Then every edge between a node inside and one outside is cut once, and
+panels are clipped between the cuts. What the net has no room for is refused by the name of the edge.
 
 In that plane no panel is smaller than LEAST_AREA of the whole panel that it was cut from, no angle less than
 LEAST_ANGLE, and no member shorter than LEAST_LENGTH of a step; what would be is refused. Panels round a pole
@@ -32,7 +32,7 @@ LEAST_ANGLE = np.radians(8.0)
 LEAST_LENGTH = 0.15
 
 # How far, in members, the outline may go away from a member of the border.
-LARGEST_RISE = 0.45
+LARGEST_RISE = 0.6
 
 # An opening this many members wide holds nodes that no third of a member brings onto its outline.
 ROOM = 2.5
@@ -113,8 +113,8 @@ class _Refusal:
         step = room * self._step
         unit = 10.0 ** (np.floor(np.log10(step)) - 1.0)
         return fn.InvalidInput(
-            f"{self._name}: {what} around {around} is smaller than a cell: give StepU, StepV of at most about "
-            f"{np.floor(step / unit) * unit:.10g} mm"
+            f"{self._name}: {what} around {around} is smaller than a cell: give StepU, StepV of at most "
+            f"about {np.floor(step / unit) * unit:.10g} mm"
         )
 
 
@@ -145,7 +145,7 @@ def _panels(rings, placed, xy, outline):
 
 
 def _split(ring, place, outline):
-    """A ring that the outline closes, in parts between the other nodes of it that the outline passes there."""
+    """A ring that the outline closes, in parts between those of its nodes that the outline passes there."""
     last, first = place[ring[-1]], place[ring[0]]
     at = [k for k in range(1, len(ring) - 1) if place[ring[k]] >= 0.0]
     at = [0, *(k for k in at if outline.passes(last, place[ring[k]], first)), len(ring) - 1]
