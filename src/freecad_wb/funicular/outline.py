@@ -132,6 +132,18 @@ class Outline:
         share = np.clip(away @ chord / max(chord @ chord, 1e-300), 0.0, 1.0)
         return np.linalg.norm(away - share[:, None] * chord, axis=1).max()
 
+    def long_ways(self, places, rise):
+        """Pairs of places that follow each other round a loop, between which it may rise by so much."""
+        following = np.roll(places, -1)
+        loop = self.loops[int(self.loop_of(places[:1])[0])]
+        segments = np.abs(following - places)
+        segments = np.minimum(segments, len(loop) - segments) + 1.0
+        longest = np.linalg.norm(self.end[list(loop)] - self.start[list(loop)], axis=1).max()
+        chords = np.linalg.norm(self.offset(self.plane(following) - self.plane(places)), axis=1)
+        # The way from one to the other by a point beside the middle of the chord is the shortest.
+        may = (segments * longest) ** 2 >= chords**2 + (2.0 * rise) ** 2
+        return np.column_stack([places, following])[may].tolist()
+
     def nearest_to_side(self, point, axis):
         """(place, distance) of what is nearest to a pole: a point that is all of a side across an axis."""
         apart = np.abs(self.start[:, axis] - point[axis])

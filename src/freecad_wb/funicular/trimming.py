@@ -183,7 +183,7 @@ def _rims(panels, place, outline, refusal):
         turned = np.flatnonzero((steps >= 0) if backwards else (steps <= 0))
         if (outline.loop_of(at) != number).any() or len(turned) != 1:
             raise refusal("what lies between", at[turned] if len(turned) else at)
-        for a, b in zip(at.tolist(), np.roll(at, -1).tolist()):
+        for a, b in outline.long_ways(at, LARGEST_RISE):
             if outline.rise(a, b) > LARGEST_RISE:
                 raise refusal("what lies between", [a, b])
     if len(set(loops_of_rims)) != len(found):
