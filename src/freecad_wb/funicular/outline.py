@@ -26,6 +26,8 @@ ON_SIDE = 1e-4
 # How far apart the surface over a trimming curve and the edge itself may be [mm]; beyond it the edge counts.
 APART = 1e-4
 
+SIDES = ("u_min", "u_max", "v_min", "v_max")
+
 # A share of a segment this near to one is its end.
 ROUNDING = 1e-9
 
@@ -37,11 +39,14 @@ INDENT = 1e-4
 class Outline:
     """Closed loops of segments, one loop after the other; a place is a segment's number plus a share of it.
 
+    face: the Part.Face. curves: of each edge, in the parameters of the surface.
     start, end: (m, 2) ends of the segments; the end of one is the start of the next in its loop.
     edge, first, last: (m,) index in face.Edges, its parameter at the start and at the end of the segment.
     loops: tuple of ranges of segments.
     corners: segments at whose start the outline turns sharply, ascending.
     joints: {segment at whose start one edge meets the next: (edge before, its parameter there)}
+    fence: (starts, ends) of segments that part inside from outside, seams and poles among them.
+    extent, period: (2,) size of the rectangle, and after what the plane repeats, inf where it does not.
     """
 
     face: object
@@ -252,54 +257,23 @@ def read_outline(face, name, chart, to_square, extent):
     chart, to_square: as surface.read_rectangle gives them. Raises InvalidInput where the edges do not close,
     where loops touch, and where there is no outline at all.
     """
-    closed = np.array([chart.closed_u, chart.closed_v])
-    period = np.where(closed, extent, np.inf)
-    lines, fence = [], []
-    curves = []
-    for number, edge in enumerate(face.Edges):
-        found = face.curveOnSurface(edge)
-        if found is None:
-            raise fn.InvalidInput(
-                f"{name} has no trimming curve for Edge{number + 1}: check the shape (Part, Check geometry)"
-            )
-        curve, first, last = found
-        curves.append(curve)
-        parameters, plane = _polyline(curve, first, last, chart, to_square, extent, closed)
-        low_u, high_u, low_v, high_v = (
-            np.abs(plane[:, axis] - at).max() < ON_SIDE for axis in (0, 1) for at in (0.0, extent[axis])
-        )
-        seam = edge.isSeam(face) or (chart.closed_u and (low_u or high_u))
-        seam = seam or (chart.closed_v and (low_v or high_v))
-        if edge.isSeam(face) and high_v:
-            plane = plane - [0.0, extent[1]]
-        fence.append(plane)
-        at_pole = [side in chart.poles for side in ("u_min", "u_max", "v_min", "v_max")]
-        if not (seam or edge.Degenerated or (np.array([low_u, high_u, low_v, high_v]) & at_pole).any()):
-            lines.append((number, parameters, plane))
+    period = np.where([chart.closed_u, chart.closed_v], extent, np.inf)
+    curves, lines, fence = _lines(face, name, chart, to_square, extent)
     if not lines:
         raise fn.InvalidInput(f"{name} has no outline: its edges are seams and poles alone")
-    fence_start = np.concatenate([line[:-1] for line in fence])
-    fence_end = np.concatenate([line[1:] for line in fence])
-    fence = _repeated(fence_start, fence_end, period)
-    loops, corners, joints = [], [], {}
-    pieces = []
-    count = 0
+    pieces, loops, corners, joints = [], [], [], {}
+    at = 0
     for chain in _chains(face, lines, chart.size, name):
-        begin = count
-        for number, parameters, plane in chain:
-            joints[count] = None
-            pieces.append((number, parameters, plane))
-            count += len(parameters) - 1
-        loops.append(range(begin, count))
-        at = begin
-        for place, (number, parameters, _) in enumerate(chain):
-            before, of_before, _ = chain[place - 1]
+        begin = at
+        for (before, of_before, _), (number, parameters, plane) in zip([chain[-1], *chain], chain):
             joints[at] = (before, float(of_before[-1]))
             arriving = _tangent(face.Edges[before], of_before, -1)
             leaving = _tangent(face.Edges[number], parameters, 0)
             if np.arccos(np.clip(arriving @ leaving, -1.0, 1.0)) > SHARP:
                 corners.append(at)
+            pieces.append((number, parameters, plane))
             at += len(parameters) - 1
+        loops.append(range(begin, at))
     return Outline(
         face=face,
         curves=tuple(curves),
@@ -311,10 +285,37 @@ def read_outline(face, name, chart, to_square, extent):
         loops=tuple(loops),
         corners=np.array(corners, dtype=int),
         joints=joints,
-        fence=fence,
+        fence=_repeated(fence, period),
         extent=np.asarray(extent, dtype=float),
         period=period,
     )
+
+
+def _lines(face, name, chart, to_square, extent):
+    """(curves, lines, fence): the curve of every edge in the parameters of the surface, (edge, parameters,
+    positions in the plane) of those that are outline, and the positions along all of them."""
+    closed = np.array([chart.closed_u, chart.closed_v])
+    curves, lines, fence = [], [], []
+    for number, edge in enumerate(face.Edges):
+        found = face.curveOnSurface(edge)
+        if found is None:
+            raise fn.InvalidInput(
+                f"{name} has no trimming curve for Edge{number + 1}: check the shape (Part, Check geometry)"
+            )
+        curve, first, last = found
+        curves.append(curve)
+        parameters, plane = _polyline(curve, first, last, chart, to_square, extent, closed)
+        on_side = {
+            side: np.abs(plane[:, "uv".index(side[0])] - at).max() < ON_SIDE
+            for side, at in zip(SIDES, (0.0, extent[0], 0.0, extent[1]))
+        }
+        is_seam = edge.isSeam(face)
+        # A ray downwards meets a seam once only: at the bottom.
+        fence.append(plane - [0.0, extent[1]] if is_seam and on_side["v_max"] else plane)
+        no_outline = [side for side in SIDES if closed["uv".index(side[0])] or side in chart.poles]
+        if not (is_seam or edge.Degenerated or any(on_side[side] for side in no_outline)):
+            lines.append((number, parameters, plane))
+    return curves, lines, fence
 
 
 def _polyline(curve, first, last, chart, to_square, extent, closed):
@@ -338,8 +339,10 @@ def _plane(square, chart, closed):
     return np.column_stack(chart.table.shares(*within.T)) + whole
 
 
-def _repeated(start, end, period):
-    """Segments, and their like one period before and after where those reach into the rectangle."""
+def _repeated(lines, period):
+    """(starts, ends) of the segments of lines, and of their like one period on where those reach in."""
+    start = np.concatenate([line[:-1] for line in lines])
+    end = np.concatenate([line[1:] for line in lines])
     for axis in (0, 1):
         if np.isfinite(period[axis]):
             shift = np.zeros(2)

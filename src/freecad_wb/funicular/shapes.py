@@ -15,7 +15,7 @@ def areas_and_centres(panels, xy, outline):
 
 
 def shape_faults(panels, xy, full, outline, poles, bounds):
-    """Yields (panel, what is wrong) for panels that are folded or less than bounds.
+    """List of (panel, what is wrong) of panels that are folded or less than bounds.
 
     full: (p,) area of the whole panels. poles: nodes whose panels are left out. bounds: least area as a part
     of the full one, least angle [rad], least side.
@@ -31,9 +31,9 @@ def shape_faults(panels, xy, full, outline, poles, bounds):
         folded = np.abs(angles.sum(axis=1) - (corners.shape[1] - 2) * np.pi) > 1e-6
         skip = np.isin(rings, list(poles)).any(axis=1)
         for wrong, what in (
-            (folded | (shares < area), "its area"),
-            (angles.min(axis=1) < angle, "an angle"),
-            (shortest < length, "a side"),
+            (folded | (shares < area), "area"),
+            (angles.min(axis=1) < angle, "angle"),
+            (shortest < length, "side"),
         ):
             worst += [(panels[of[k]], what) for k in np.flatnonzero(wrong & ~skip)]
     return worst

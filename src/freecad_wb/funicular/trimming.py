@@ -96,7 +96,7 @@ def trimmed_net(face, name, step_u, step_v, pattern="quad"):
         (LEAST_AREA, LEAST_ANGLE, LEAST_LENGTH * min(1.0, shortest)),
     ):
         at = [place for place in placed.place[list(ring)] if place >= 0.0]
-        raise refusal(f"a panel ({fault})", at)
+        raise refusal(f"a sliver (by its {fault})", at)
     return _assembled(panels, rims, loops_of_rims, lattice, rings, placed, chart, outline)
 
 
