@@ -65,12 +65,50 @@ def read_face(face, name="the face"):
     face: Part.Face, placed as it stands in the document. name: how errors call it.
     Raises InvalidInput: not a face, endless, trimmed, or of zero area.
     """
+    limits = _limits(face, name)
+    if _fills_rectangle(face, limits):
+        return _chart(face, name, *_on_surface(face.Surface, limits))
+    corners = _rectangle_corners(face)
+    if corners is None:
+        raise fn.InvalidInput(f"{name} {TRIMMED}")
+    origin, along, _, across = corners
+    return _chart(face, name, *_on_plane(origin, along - origin, across - origin))
+
+
+def read_rectangle(face, name="the face"):
+    """(chart, to_square) of the whole rectangle of parameters that a face, trimmed or not, lies in.
+
+    Of a plane face it is the smallest one along its longest straight edge, or along the axes of the plane.
+    to_square: (n, 2) parameters (u, v) of the surface -> (n, 2) parameters (a, b) of the chart, which lie
+    beyond [0, 1] where u and v lie beyond the rectangle. Raises InvalidInput as read_face, but for trimming.
+    """
+    limits = _limits(face, name)
+    surface = face.Surface
+    if not isinstance(surface, Part.Plane):
+        low, span = np.array(limits[::2]), np.array(limits[1::2]) - limits[::2]
+        chart = _chart(face, name, *_on_surface(surface, limits))
+        return chart, lambda uv: (uv - low) / span
+
+    axes = _plane_axes(face)
+    turned = _outline_points(face, 1025) @ axes
+    low, span = turned.min(axis=0), np.ptp(turned, axis=0)
+    origin, along, across = (
+        np.array(tuple(surface.value(*at))) for at in (low @ axes.T, *((low + np.diag(span)) @ axes.T))
+    )
+    chart = _chart(face, name, *_on_plane(origin, along - origin, across - origin))
+    return chart, lambda uv: (uv @ axes - low) / span
+
+
+def _limits(face, name):
     if face is None or face.isNull() or face.ShapeType != "Face":
         raise fn.InvalidInput(f"{name} is not a face: pick one face of a shape")
     limits = face.ParameterRange
     if max(abs(limit) for limit in limits) > 1e50:
         raise fn.InvalidInput(f"{name} is endless: pick a face with an outline")
-    point, measure, knots = _parametrisation(face, limits, name)
+    return limits
+
+
+def _chart(face, name, point, measure, knots):
     axes = [Axis(of_one) for of_one in knots]
     points = _grid(point, *axes)
     if not np.isfinite(points).all():
@@ -202,20 +240,17 @@ def sample(chart, uv):
     return chart.point(a, b)
 
 
-def _parametrisation(face, limits, name):
+def _on_plane(origin, along, across):
+    """(point, measure, inner knots) as _on_surface, of the rectangle between two vectors from a corner."""
+
+    def on_plane(a, b):
+        return origin + np.outer(a, along) + np.outer(b, across)
+
+    return on_plane, None, ((), ())
+
+
+def _on_surface(surface, limits):
     """(point, measure) as in a Chart, and the inner knots along u and along v, in (0, 1)."""
-    surface = face.Surface
-    if not _fills_rectangle(face, limits):
-        corners = _rectangle_corners(face)
-        if corners is None:
-            raise fn.InvalidInput(f"{name} {TRIMMED}")
-        origin, along, _, across = corners
-
-        def on_plane(a, b):
-            return origin + np.outer(a, along - origin) + np.outer(b, across - origin)
-
-        return on_plane, None, ((), ())
-
     u_first, u_last, v_first, v_last = limits
 
     def on_surface(a, b):
@@ -296,6 +331,34 @@ def _rectangle_corners(face):
     if np.abs(sides[0] + sides[2]).max() ** 2 > 1e-14 * size2 or abs(sides[0] @ sides[1]) > 1e-7 * size2:
         return None
     return corners
+
+
+def _outline_points(face, count):
+    """(n, 2) parameters (u, v) along all edges of a face, count of each."""
+    points = []
+    for edge in face.Edges:
+        curve, first, last = face.curveOnSurface(edge)
+        points += [(p.x, p.y) for p in map(curve.value, np.linspace(first, last, count).tolist())]
+    return np.array(points)
+
+
+def _plane_axes(face):
+    """(2, 2): columns along and across the longest straight edge of a plane face, in its parameters.
+
+    Of the two the one nearer to the plane's own first axis comes first; of edges of one length, the one that
+    turns the axes least; without straight edges they are the plane's own.
+    """
+    straight = []
+    for edge in face.Edges:
+        if isinstance(edge.Curve, (Part.Line, Part.LineSegment)):
+            curve, first, last = face.curveOnSurface(edge)
+            along = curve.value(last) - curve.value(first)
+            angle = np.arctan2(along.y, along.x)
+            straight.append((np.hypot(along.x, along.y), angle - np.pi / 2 * np.round(angle / (np.pi / 2))))
+    longest = max((length for length, _ in straight), default=0.0)
+    turns = [angle for length, angle in straight if length >= longest * (1.0 - 1e-6)]
+    turn = min(turns, key=lambda angle: (round(abs(angle), 9), -angle), default=0.0)
+    return np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
 
 
 def _coincide(line, other, size):
