@@ -45,8 +45,9 @@ class EqualLengthNet:
     nodes: (n, 3) [mm]. uv: (n, 2) their parameters in the chart's unit square. grid: (n, 2) int, steps from
     the start along the first and along the second direction.
     members: (m, 2) node numbers, those along the first direction before the others. panels: (k, 4) node
-    numbers round each quad, as u turns to v. rims: tuple of arrays of node numbers, one for each closed
-    border, the net on its left; the last node is joined to the first.
+    numbers round each quad, as u turns to v.
+    rims: tuple of arrays of node numbers, one for each closed border, the net on its left; the last node is
+    joined to the first.
     remarks: sentences on what was left out and why. stopped: tuple of Stop.
     """
 
@@ -68,8 +69,8 @@ def equal_length_net(chart, step, start=(0.5, 0.5), angle=0.0, crossing=90.0, mo
     angle: from the direction of growing u to the first guide [degrees], as u turns to v.
     crossing: from the first guide to the second [degrees].
     most_shear: how far the angle between two members at a node may be from 90 degrees, at most 80.
-    inside: (a, b) -> array of bool, which nodes a trimmed face keeps; the rest of the chart is still walked
-    on.
+    inside: (a, b) -> array of bool, which nodes a trimmed face keeps; the rest of the
+        chart is still walked on.
 
     The net consists of whole cells, so that it ends within a cell of the border, in steps, and once around a
     closed direction at most. Only the part that hangs together with the start is kept.

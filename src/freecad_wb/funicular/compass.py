@@ -245,17 +245,16 @@ class Laying:
         return np.array([number not in self._spoilt for number in numbers], dtype=bool)
 
     def _overlapping(self, pairs):
-        """Those pairs of nodes that are too near to each other and no neighbours along the grid."""
+        """Those pairs of nodes that are too near to each other, for neighbours on the grid or for others."""
         new, old = pairs.T
         far = np.abs(self.grid[old] - self.grid[new]).max(axis=1, initial=0) > self._own
         if not self.ground.caps and self.ground.closed.any():
             # Around a narrow face a few steps are enough to come back.
             turns = np.abs(self.lifted[old] - self.lifted[new])[:, self.ground.closed]
             far |= turns.max(axis=1) > 0.5
-        pairs = pairs[far]
-        new, old = pairs.T
-        near = _length(self.points[old] - self.points[new]) < NEAREST * self.step
-        pairs = pairs[near]
+        # Neighbours across a cell that is missing may be as near as they like, but for this.
+        least = np.where(far, NEAREST, math.sin(0.5 * self.least)) * self.step
+        pairs = pairs[_length(self.points[old] - self.points[new]) < least]
         new, old = pairs.T
         # Near in space may be far on the face, across a fold.
         by = self.ground.apart(self.uv[old], self.uv[new])
