@@ -322,9 +322,9 @@ class TestBadInput:
         net.Source = (box, [""])
         self.refused(doc, net, "Source Box has 6 faces: pick one of them")
 
-    def test_an_edge(self, doc, box, net):
-        net.Source = (box, ["Edge1"])
-        self.refused(doc, net, "Source Box.Edge1 is not a face: pick a face")
+    def test_a_vertex(self, doc, box, net):
+        net.Source = (box, ["Vertex1"])
+        self.refused(doc, net, "Source Box.Vertex1 is not a face: pick a face")
 
     def test_a_face_that_is_not_there(self, doc, box, net):
         net.Source = (box, ["Face7"])
@@ -336,7 +336,7 @@ class TestBadInput:
 
     def test_a_deleted_source(self, doc, net):
         doc.removeObject("Box")
-        self.refused(doc, net, "Source is empty (no face was picked, or its object was deleted): set it")
+        self.refused(doc, net, "Source is empty (nothing was picked, or its object was deleted): set it")
 
     def test_a_source_without_shape(self, doc, net):
         net.Source = (doc.addObject("Part::Feature", "Hollow"), ["Face1"])
@@ -368,12 +368,23 @@ class TestBadInput:
             doc, net, "StepV is 6100 mm, larger than the face", "measures 6000 mm: give a smaller step"
         )
 
+    def test_an_opening_that_is_smaller_than_a_cell(self, doc, net):
+        source = doc.addObject("Part::Feature", "Cut")
+        source.Shape = trimmed_faces()["hole"]
+        net.Source = (source, ["Face1"])
+        self.refused(
+            doc,
+            net,
+            "Source Cut.Face1: the opening around Edge5",
+            "give StepU, StepV of at most about 230 mm",
+        )
+
     @pytest.mark.parametrize("kind", trimmed_faces())
-    def test_a_trimmed_face(self, doc, net, kind):
+    def test_a_trimmed_face_spaced_by_parameter(self, doc, net, kind):
         source = doc.addObject("Part::Feature", "Cut")
         source.Shape = trimmed_faces()[kind]
-        net.Source = (source, ["Face1"])
-        self.refused(doc, net, "Source Cut.Face1 is trimmed", "not supported yet: pick an untrimmed face")
+        net.Source, net.Spacing = (source, ["Face1"]), "Parameter"
+        self.refused(doc, net, "Source Cut.Face1 is trimmed", "set Spacing to Length")
 
     def test_a_face_without_area(self, doc, net):
         source = doc.addObject("Part::Feature", "Line")

@@ -139,7 +139,7 @@ def test_a_slip_of_the_unit_is_refused_before_it_fills_the_memory():
 
 @pytest.mark.parametrize("kind", trimmed_faces())
 def test_trimmed_faces_are_refused_with_a_way_out(kind):
-    with pytest.raises(fn.InvalidInput, match="trimmed faces are not supported yet: pick an untrimmed face"):
+    with pytest.raises(fn.InvalidInput, match="nets on several faces need whole ones: pick it alone"):
         surface.read_face(trimmed_faces()[kind])
 
 

@@ -11,9 +11,9 @@ import numpy as np
 import funicular as fn
 
 from . import surface
-
-# A closed direction begins anew with the same nodes; one point of a pole has none to repeat.
-_ACROSS = {"u_min": "v_min", "u_max": "v_max", "v_min": "u_min", "v_max": "u_max"}
+from .lattices import lattice_on
+from .outline import read_outline
+from .trimming import trimmed_net
 
 
 @dataclass(frozen=True)
@@ -55,19 +55,10 @@ class Laid:
     uv: np.ndarray = None
 
 
-def lattice_on(cells, closed, poles, pattern="quad", swapped=False):
-    """(lattice, (n, 2) its nodes in the unit square of the face); cells, closed: along u, v of the face.
-
-    poles: names of sides of the face. The lattice of a swapped pattern runs along v first.
-    """
-    if swapped:
-        cells, closed, poles = cells[::-1], closed[::-1], [_ACROSS[pole] for pole in poles]
-    lattice = fn.lattice(*cells, pattern=pattern, closed_u=closed[0], closed_v=closed[1], poles=sorted(poles))
-    return lattice, lattice.uv[:, ::-1] if swapped else lattice.uv
-
-
 def lay_on_face(face, name, division):
-    """The Laid net on one untrimmed face. Raises InvalidInput naming the face or the step."""
+    """The Laid net on one face, trimmed or not. Raises InvalidInput naming the face or the step."""
+    if surface.is_trimmed(face, name):
+        return _lay_on_trimmed(face, name, division)
     chart = surface.read_face(face, name)
     wanted = surface.count_cells(
         chart,
@@ -84,6 +75,39 @@ def lay_on_face(face, name, division):
     refuse_pinches(nodes, lattice.members, chart.size, name)
     remarks = tuple(_forced(wanted, cells, division))
     return Laid(nodes, lattice.members, lattice.panels, lattice, cells, closed, chart.poles, remarks, uv)
+
+
+def chart_within_outline(face, name, step):
+    """(chart, inside) of a face, or of the rectangle of parameters that a trimmed one lies in.
+
+    step: length of members [mm], about how far apart what is asked for lies. inside: (a, b) -> array of bool,
+    whether parameters in the unit square lie on the face; None where all do. Raises InvalidInput as
+    surface.read_rectangle and read_outline do.
+    """
+    if not surface.is_trimmed(face, name):
+        return surface.read_face(face, name), None
+    chart, to_square = surface.read_rectangle(face, name)
+    extent = np.array([chart.table.lengths_u.mean(), chart.table.lengths_v.mean()]) / step
+    outline = read_outline(face, name, chart, to_square, extent)
+    return chart, lambda a, b: outline.inside(np.column_stack(chart.table.shares(a, b)) * extent)
+
+
+def _lay_on_trimmed(face, name, division):
+    if division.in_parameter:
+        raise fn.InvalidInput(
+            f"{name} is trimmed, and its net is spaced by length only: set Spacing to Length, or pick a "
+            "whole face"
+        )
+    made = trimmed_net(
+        face,
+        name,
+        division.step_u,
+        division.step_v,
+        division.pattern,
+        (division.count_u, division.count_v),
+        division.swapped,
+    )
+    return Laid(made.nodes, made.members, tuple(map(tuple, made.panels)), uv=made.uv)
 
 
 def place(chart, uv, division):

@@ -82,13 +82,13 @@ def place_nodes(xy, edges, outline, poles):
     )
 
 
-def pole_nodes(lattice, sides):
+def pole_nodes(uv, sides):
     """{node: axis} of nodes that are a whole side of the rectangle, with the axis across that side."""
     found = {}
     for side in sides:
         axis = "uv".index(side[0])
         at = 0.0 if side.endswith("min") else 1.0
-        found[int(np.flatnonzero(lattice.uv[:, axis] == at)[0])] = axis
+        found[int(np.flatnonzero(uv[:, axis] == at)[0])] = axis
     return found
 
 

@@ -12,7 +12,8 @@ import numpy as np
 import funicular as fn
 
 from . import surface
-from .laying import Laid, lattice_on, place, refuse_pinches
+from .lattices import lattice_on
+from .laying import Laid, place, refuse_pinches
 
 # Nodes of two faces on their common edge are one if nearer than this part of the step.
 SAME_NODE = 1e-3

@@ -26,7 +26,9 @@ def shape_faults(panels, xy, full, outline, poles, bounds):
         sides = np.roll(corners, -1, axis=1) - corners
         back = -np.roll(sides, 1, axis=1)
         angles = np.arctan2(_cross(sides, back), (sides * back).sum(axis=2)) % (2 * np.pi)
-        shares = 0.5 * _cross(corners, np.roll(corners, -1, axis=1)).sum(axis=1) / full[of]
+        # Without area in this plane are panels round a pole alone, which are skipped.
+        with np.errstate(divide="ignore", invalid="ignore"):
+            shares = 0.5 * _cross(corners, np.roll(corners, -1, axis=1)).sum(axis=1) / full[of]
         shortest = np.linalg.norm(sides, axis=2).min(axis=1)
         folded = np.abs(angles.sum(axis=1) - (corners.shape[1] - 2) * np.pi) > 1e-6
         skip = np.isin(rings, list(poles)).any(axis=1)

@@ -33,9 +33,9 @@ MOST_NODES = 1_000_000
 SIDES = ("u_min", "u_max", "v_min", "v_max")
 
 TRIMMED = (
-    "is trimmed (its outline is not the full rectangle of the surface's parameters, or it has a hole), "
-    "and trimmed faces are not supported yet: pick an untrimmed face, or rebuild this one as a surface "
-    "of its own between its edges, for instance a ruled, lofted, swept or B-spline surface"
+    "is trimmed (its outline is not the full rectangle of the surface's parameters, or it has a hole), and "
+    "nets on several faces need whole ones: pick it alone, or rebuild it as a surface of its own between its "
+    "edges, for instance a ruled, lofted, swept or B-spline surface"
 )
 
 
@@ -73,6 +73,15 @@ def read_face(face, name="the face"):
         raise fn.InvalidInput(f"{name} {TRIMMED}")
     origin, along, _, across = corners
     return _chart(face, name, *_on_plane(origin, along - origin, across - origin))
+
+
+def is_trimmed(face, name="the face"):
+    """Whether a face is less than the rectangle of its parameters, so that read_face() refuses it.
+
+    Raises InvalidInput as read_face() does for what is no face, or endless.
+    """
+    limits = _limits(face, name)
+    return not _fills_rectangle(face, limits) and _rectangle_corners(face) is None
 
 
 def read_rectangle(face, name="the face"):

@@ -20,6 +20,7 @@ import funicular as fn
 
 from . import surface
 from .clipping import Rings, border, clip, loops
+from .lattices import lattice_on
 from .outline import read_outline
 from .placing import place_nodes, pole_nodes
 from .shapes import areas_and_centres, shape_faults
@@ -42,14 +43,15 @@ ROOM = 2.5
 class TrimmedNet:
     """A net on a trimmed face, in mm and before any relaxation.
 
-    nodes: (n, 3) [mm]. members: (m, 2) node numbers. panels: list of tuples of node numbers, all round the
-    same way. rims: the closed borders, each an array of node numbers in order with the net to the left, the
-    outer one first, then one for each opening. edge_nodes: {"Edge3": the nodes on that edge of the face, in
-    order along it, those at its ends included}. corners: the nodes where the outer rim turns by more than 30
-    degrees, ascending.
+    nodes: (n, 3) [mm]. uv: (n, 2) where they lie in the rectangle of the lattice, in [0, 1]². members: (m, 2)
+    node numbers. panels: list of tuples of node numbers, all round the same way. rims: the closed borders,
+    each an array of node numbers in order with the net to the left, the outer one first, then one for each
+    opening. edge_nodes: {"Edge3": the nodes on that edge of the face, in order along it, those at its ends
+    included}. corners: the nodes where the outer rim turns by more than 30 degrees, ascending.
     """
 
     nodes: np.ndarray
+    uv: np.ndarray
     members: np.ndarray
     panels: list
     rims: tuple
@@ -57,28 +59,27 @@ class TrimmedNet:
     corners: np.ndarray
 
 
-def trimmed_net(face, name, step_u, step_v, pattern="quad"):
+def trimmed_net(face, name, step_u, step_v, pattern="quad", counts=(0, 0), swapped=False):
     """The TrimmedNet of a face in a pattern of fn.patterns().
 
     face: Part.Face, trimmed or not, placed as it stands. name: how errors call it. step_u, step_v: lengths of
-    members along u and v [mm]; of a plane face u is the axis that `surface.read_rectangle` finds.
+    members along u and v [mm], unless counts gives cells; swapped: the pattern's u runs along v. Of a plane
+    face u is the axis that `surface.read_rectangle` finds.
     Raises InvalidInput as surface.read_rectangle, count_cells and sample do, for a face without an outline,
     and for what is smaller than a cell: it names the edges and says what steps to give.
     """
     chart, to_square = surface.read_rectangle(face, name)
-    lattice = fn.lattice(
-        *surface.count_cells(chart, step_u, step_v, pattern),
-        pattern=pattern,
-        closed_u=chart.closed_u,
-        closed_v=chart.closed_v,
-        poles=sorted(chart.poles),
-    )
+    cells = surface.count_cells(chart, step_u, step_v, pattern, counts, swapped)
+    lattice, uv = lattice_on(cells, (chart.closed_u, chart.closed_v), chart.poles, pattern, swapped)
     extent = np.array(lattice.cells) * fn.cell_extent(pattern)
+    if swapped:
+        extent = extent[::-1]
     outline = read_outline(face, name, chart, to_square, extent)
     refusal = _Refusal(name, outline, step_u, step_v)
-    rings = Rings.of(lattice.panels)
-    poles = pole_nodes(lattice, chart.poles)
-    xy = lattice.uv * extent
+    # All that follows counts on panels that turn as u turns to v.
+    rings = Rings.of([panel[::-1] for panel in lattice.panels] if swapped else lattice.panels)
+    poles = pole_nodes(uv, chart.poles)
+    xy = uv * extent
     placed = place_nodes(xy, rings.edges, outline, poles)
     if len(placed.lost):
         raise refusal("the outline", placed.lost)
@@ -97,7 +98,7 @@ def trimmed_net(face, name, step_u, step_v, pattern="quad"):
     ):
         at = [place for place in placed.place[list(ring)] if place >= 0.0]
         raise refusal(f"a sliver (by its {fault})", at)
-    return _assembled(panels, rims, loops_of_rims, lattice, rings, placed, chart, outline)
+    return _assembled(panels, rims, loops_of_rims, (lattice, uv), rings, placed, chart, outline)
 
 
 class _Refusal:
@@ -196,7 +197,8 @@ def _edge_starts(outline, loop):
     return [at for at in outline.joints if at in loop]
 
 
-def _assembled(panels, rims, loops_of_rims, lattice, rings, placed, chart, outline):
+def _assembled(panels, rims, loops_of_rims, laid, rings, placed, chart, outline):
+    lattice, uv = laid
     final = Rings.of(panels)
     used = np.unique(final.nodes)
     number = np.full(len(placed.place), -1)
@@ -206,13 +208,14 @@ def _assembled(panels, rims, loops_of_rims, lattice, rings, placed, chart, outli
     places = placed.place[used[at_border]]
     nodes[at_border] = outline.points(places)
     if not at_border.all():
-        nodes[~at_border] = surface.sample(chart, lattice.uv[used[~at_border]])
+        nodes[~at_border] = surface.sample(chart, uv[used[~at_border]])
     members = _members(final, rims, lattice, rings, placed)
     renumbered = Rings(number[final.nodes], final.first, final.panel, final.edges, final.edge)
     corners = np.flatnonzero(np.isin(placed.place[used], outline.corners) & at_border)
     of_outer = outline.loop_of(placed.place[used[corners]]) == loops_of_rims[0]
     return TrimmedNet(
         nodes=nodes,
+        uv=placed.xy[used] / outline.extent,
         members=number[members],
         panels=renumbered.select(np.arange(len(panels))),
         rims=tuple(number[rim] for rim in rims),

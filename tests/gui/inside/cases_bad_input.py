@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a user can do wrong in the panel: each a sentence, and the last good shape stays."""
 
+import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 import pytest
 from window import (
     clear_report_view,
@@ -135,13 +137,15 @@ def test_a_deleted_source_is_a_sentence(opened, roof):
     press("Cancel")
 
 
-def test_a_trimmed_face_is_a_sentence_and_cancel_takes_it_back(document):
-    cylinder = document.addObject("Part::Cylinder", "Cylinder")
+def test_a_hole_smaller_than_a_cell_is_a_sentence_and_cancel_takes_it_back(document):
+    plate = document.addObject("Part::Feature", "Plate")
+    hole = Part.makeCylinder(20, 10, App.Vector(1500, 900, -5))
+    plate.Shape = Part.makePlane(3000, 2000).cut(hole).Faces[0]
     document.recompute()
-    select_faces(cylinder, "Face2")
+    select_faces(plate, "Face1")
     run_command()
     line = wait_for_result()
-    assert line.startswith("✖") and "trimmed" in line and "last good" not in line
-    assert cylinder.Visibility, "there is nothing yet that could stand in its place"
+    assert line.startswith("✖") and "smaller than a cell: give StepU" in line and "last good" not in line
+    assert plate.Visibility, "there is nothing yet that could stand in its place"
     press("Cancel")
-    assert names(document) == ["Cylinder"]
+    assert names(document) == ["Plate"]

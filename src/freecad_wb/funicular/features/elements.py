@@ -2,6 +2,7 @@
 """Which nodes of a net lie on which edges and vertices of its source, so that supports can say so."""
 
 import FreeCAD as App
+import Part
 import numpy as np
 
 # On an edge within this part of the net's size: more than shapes are exact to, less than can be seen.
@@ -51,7 +52,11 @@ def _along(edge, nodes, limit):
     along = []
     for node in near.tolist():
         point = App.Vector(*nodes[node])
-        at = curve.parameter(point)
+        try:
+            at = curve.parameter(point)
+        except Part.OCCError:
+            # It has no one nearest place on the curve, as the centre of a circle: so it is not on it.
+            continue
         if period:
             at += period * np.ceil((first - slack - at) / period)
         at = min(max(at, first), last)

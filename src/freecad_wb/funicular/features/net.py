@@ -7,10 +7,10 @@ import numpy as np
 
 import funicular as fn
 
-from .. import surface
 from ..chebyshev import equal_length_net
 from ..edits import Edits, Places, edited
-from ..laying import Division, Laid, lattice_on, lay_on_face
+from ..lattices import lattice_on
+from ..laying import Division, Laid, chart_within_outline, lay_on_face
 from ..mesh_source import mesh_of, net_of_mesh, read_mesh_file
 from ..several_faces import lay_on_faces
 from ..wireframe import net_of_edges
@@ -81,7 +81,7 @@ def _of_equal_lengths(obj, source, step):
         raise fn.InvalidInput(
             "Laying: a net of equal lengths lies on one face; pick a single one, or lay along isolines"
         )
-    chart = surface.read_face(source.faces[0], source.names[0])
+    chart, inside = chart_within_outline(source.faces[0], source.names[0], step)
     made = equal_length_net(
         chart,
         step,
@@ -89,6 +89,7 @@ def _of_equal_lengths(obj, source, step):
         obj.Angle.Value,
         obj.Crossing.Value,
         obj.MostShear.Value,
+        inside,
     )
     panels = tuple(tuple(panel) for panel in made.panels.tolist())
     closed = chart.closed_u, chart.closed_v

@@ -246,7 +246,7 @@ def starting_steps(face):
     from funicular import surface
 
     try:
-        chart = surface.read_face(face)
+        chart = surface.read_rectangle(face)[0] if surface.is_trimmed(face) else surface.read_face(face)
     except fn.InvalidInput:
         # No net can be made on it, and the net says why.
         return 1000.0, 1000.0
