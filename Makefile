@@ -34,8 +34,9 @@ help: ## this list
 demo: build ## headless FreeCAD on the shipped examples; files and pictures in build/demo/
 	$(FREECAD) examples/run_demo.py
 
-gallery: build ## every pattern on one sheet, docs/patterns.png
+gallery: build ## every pattern, and all that a net can lie on: docs/patterns.png and docs/sources.png
 	@$(PYTHON) examples/gallery.py docs/patterns.png
+	@$(FREECAD) examples/sources.py docs/sources.png
 
 gui: build ## FreeCAD with the workbench loaded from this checkout
 	@mkdir -p $(GUI_HOME)

@@ -38,7 +38,7 @@ def relaxed(net):
 
 def seen(nodes):
     """(n, 2) on the picture, and (n,) how near the eye."""
-    nodes = nodes - [WIDTH / 2, DEPTH / 2, 0.0]
+    nodes = nodes - 0.5 * (nodes.max(axis=0) + nodes.min(axis=0))
     along = np.array([-np.sin(AZIMUTH), np.cos(AZIMUTH), 0.0])
     towards = np.array(
         [np.cos(AZIMUTH) * np.cos(ELEVATION), np.sin(AZIMUTH) * np.cos(ELEVATION), np.sin(ELEVATION)]
@@ -46,10 +46,10 @@ def seen(nodes):
     return np.column_stack([nodes @ along, nodes @ np.cross(towards, along)]), nodes @ towards
 
 
-def draw(axes, nodes, net):
-    """Panels from the farthest to the nearest, each with the members on its edges."""
+def draw(axes, nodes, members, panels):
+    """Panels from the farthest to the nearest, and on them the members."""
     flat, near = seen(nodes)
-    order = sorted(net.panels, key=lambda panel: near[list(panel)].mean())
+    order = sorted(panels, key=lambda panel: near[list(panel)].mean())
     axes.add_collection(
         PolyCollection(
             [flat[list(panel)] for panel in order],
@@ -58,32 +58,33 @@ def draw(axes, nodes, net):
             linewidths=0.4,
         )
     )
-    axes.add_collection(LineCollection(flat[net.members], colors=INK, linewidths=0.8, capstyle="round"))
-    axes.set_aspect("equal")
+    axes.add_collection(LineCollection(flat[members], colors=INK, linewidths=0.8, capstyle="round"))
+    axes.set_aspect("equal", adjustable="datalim")
     axes.autoscale_view()
     axes.axis("off")
 
 
-def main(path):
-    names = fn.patterns()
-    columns = 4
-    lines = -(-len(names) // columns)
-    figure, panels = plt.subplots(lines, columns, figsize=(4.0 * columns, 2.5 * lines), facecolor=PAPER)
-    for axes, name in zip(panels.flat, names):
-        net = fn.Net.grid(WIDTH, DEPTH, step=STEP, pattern=name)
-        draw(axes, relaxed(net), net)
-        axes.set_title(
-            f"{name.replace('_', ' ').capitalize()}   {len(net.members)} members",
-            fontsize=11,
-            color=INK,
-            loc="left",
-        )
-    for axes in panels.flat[len(names) :]:
+def sheet_of(lattices, path, columns=4):
+    """One sheet of {title: (nodes, members, panels)} into a picture file."""
+    lines = -(-len(lattices) // columns)
+    figure, places = plt.subplots(lines, columns, figsize=(4.0 * columns, 2.5 * lines), facecolor=PAPER)
+    for axes, (title, (nodes, members, panels)) in zip(places.flat, lattices.items()):
+        draw(axes, nodes, members, panels)
+        axes.set_title(f"{title}   {len(members)} members", fontsize=11, color=INK, loc="left")
+    for axes in places.flat[len(lattices) :]:
         axes.set_visible(False)
     figure.tight_layout(pad=1.2)
     pathlib.Path(path).parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path, dpi=110, facecolor=PAPER)
     print(f"drawn: {path}")
+
+
+def main(path):
+    nets = {
+        name.replace("_", " ").capitalize(): fn.Net.grid(WIDTH, DEPTH, step=STEP, pattern=name)
+        for name in fn.patterns()
+    }
+    sheet_of({title: (relaxed(net), net.members, net.panels) for title, net in nets.items()}, path)
 
 
 if __name__ == "__main__":

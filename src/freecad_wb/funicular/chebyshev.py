@@ -44,8 +44,8 @@ class EqualLengthNet:
 
     nodes: (n, 3) [mm]. uv: (n, 2) their parameters in the chart's unit square. grid: (n, 2) int, steps from
     the start along the first and along the second direction.
-    members: (m, 2) node numbers, those along the first direction before the others. panels: (k, 4) node
-    numbers round each quad, as u turns to v.
+    members: (m, 2) node numbers, those along the first direction before the others.
+    panels: (k, 4) node numbers round each quad, as u turns to v.
     rims: tuple of arrays of node numbers, one for each closed border, the net on its left; the last node is
     joined to the first.
     remarks: sentences on what was left out and why. stopped: tuple of Stop.

@@ -245,7 +245,7 @@ class Laying:
         return np.array([number not in self._spoilt for number in numbers], dtype=bool)
 
     def _overlapping(self, pairs):
-        """Those pairs of nodes that are too near to each other, for neighbours on the grid or for others."""
+        """Those pairs of nodes that are too near to each other, as neighbours or as others."""
         new, old = pairs.T
         far = np.abs(self.grid[old] - self.grid[new]).max(axis=1, initial=0) > self._own
         if not self.ground.caps and self.ground.closed.any():
