@@ -20,7 +20,7 @@ sys.path.insert(0, str(ROOT / "src" / "freecad_wb"))
 import funicular as fn  # noqa: E402
 
 WIDTH, DEPTH, STEP = 9.0, 7.0, 0.75  # m
-PAPER, INK, COVER, COVER_LINE = "#f4f3ef", "#22262b", "#ffffff", "#d8d5cc"
+PAPER, INK, COVER, COVER_LINE = "#f4f3ef", "#22262b", "#dfe6ec", "#c6cfd7"
 AZIMUTH, ELEVATION = np.radians(-62.0), np.radians(32.0)
 
 

@@ -117,6 +117,7 @@ def shells(document):
     }
     sheet = made["Flat sheet on corners, opened"]
     sheet.Net.RemovedPanels = [V(u, v, 0) for u in (0.47, 0.53) for v in (0.21, 0.29)]
+    sheet.Net.RemovedMembers = [V(0.5, v, 0) for v in (0.21, 0.29)] + [V(u, 0.25, 0) for u in (0.47, 0.53)]
     make_support(
         document, sheet, Where="Edges and vertices", Elements=["Edge1"], Kind="On its vertical plane"
     )
