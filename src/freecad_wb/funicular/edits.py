@@ -32,15 +32,14 @@ class Places:
         return int(np.argmin((away**2).sum(axis=1)))
 
     def middles(self, groups):
-        """(k, 2) middles of groups of nodes; across a seam that of the side on which most of them lie."""
-        middles = []
-        for group in groups:
-            of_group = self.uv[list(group)].copy()
-            for axis in (0, 1):
-                if self.closed[axis] and np.ptp(of_group[:, axis]) > 0.5:
-                    of_group[of_group[:, axis] < 0.5, axis] += 1.0
-            middles.append(of_group.mean(axis=0) % 1.0 if any(self.closed) else of_group.mean(axis=0))
-        return np.array(middles)
+        """(k, 2) middles of groups of nodes, also of those that lie across a seam."""
+        nodes, sizes = topology.flat(groups)
+        begin = np.cumsum(sizes) - sizes
+        first = self.uv[nodes[begin]]
+        away = self.uv[nodes] - np.repeat(first, sizes, axis=0)
+        away -= np.where(self.closed, np.round(away), 0.0)
+        middles = first + np.add.reduceat(away, begin) / sizes[:, None]
+        return np.where(self.closed, middles % 1.0, middles)
 
 
 @dataclass(frozen=True)
@@ -80,12 +79,12 @@ def edited(laid, edits, places):
         return replace(laid, nodes=nodes), (), np.arange(len(nodes))
 
     panels = [tuple(map(int, panel)) for panel in laid.panels]
-    out = {_panel(where, panels, places) for where in edits.panels}
+    out = _found(edits.panels, panels, "panel", places)
     areas_of = areas(nodes, panels)
     openings = tuple(Opening(panels[k], float(areas_of[k])) for k in sorted(out))
     members = [tuple(member) for member in np.asarray(laid.members).tolist()]
     # All are looked up in the net as it was, so that their order does not matter.
-    gone = {_member(where, members, places) for where in edits.members}
+    gone = _found(edits.members, members, "member", places)
     kept = [panel for k, panel in enumerate(panels) if k not in out]
     for member in sorted(gone):
         kept = _without_edge(kept, members[member])
@@ -157,18 +156,15 @@ def _node(where, nodes, places):
     return places.nearest(_uv(places), where)
 
 
-def _panel(where, panels, places):
-    if not isinstance(where, tuple):
-        return _checked(where, len(panels), "panel")
-    _uv(places)
-    return places.nearest(places.middles(panels), where)
-
-
-def _member(where, members, places):
-    if not isinstance(where, tuple):
-        return _checked(where, len(members), "member")
-    _uv(places)
-    return places.nearest(places.middles(members), where)
+def _found(wheres, groups, what, places):
+    """The numbers of the members or panels that are said by number or by place."""
+    found = {_checked(where, len(groups), what) for where in wheres if not isinstance(where, tuple)}
+    by_place = [where for where in wheres if isinstance(where, tuple)]
+    if by_place:
+        _uv(places)
+        middles = places.middles(groups)
+        found.update(places.nearest(middles, where) for where in by_place)
+    return found
 
 
 def _uv(places):

@@ -18,6 +18,7 @@ SECTIONS = (
             ("Sheet", "Width", QT_TRANSLATE_NOOP("Funicular", "Width")),
             ("Sheet", "Depth", QT_TRANSLATE_NOOP("Funicular", "Depth")),
             ("Net", "Pattern", QT_TRANSLATE_NOOP("Funicular", "Pattern")),
+            ("Net", "Laying", QT_TRANSLATE_NOOP("Funicular", "Laid")),
             ("Net", "StepU", QT_TRANSLATE_NOOP("Funicular", "Step along u")),
             ("Net", "StepV", QT_TRANSLATE_NOOP("Funicular", "Step along v")),
             ("Net", "CountU", QT_TRANSLATE_NOOP("Funicular", "Cells along u")),
