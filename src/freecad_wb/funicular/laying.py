@@ -22,7 +22,8 @@ class Division:
 
     pattern: one of fn.patterns(). step_u, step_v: lengths of members along u and along v [mm], wherever no
     count of cells (count_u, count_v, 0 for none) is given. swapped: the pattern's u runs along the face's v.
-    in_parameter: cells are equal in the surface's parameters, and not in length.
+    in_parameter: cells are equal in the surface's parameters, and not in length. angle: by which the pattern
+    is turned [degrees]; offset: by which it is shifted, in cells.
     """
 
     step_u: float
@@ -32,6 +33,8 @@ class Division:
     count_v: int = 0
     swapped: bool = False
     in_parameter: bool = False
+    angle: float = 0.0
+    offset: tuple = (0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -57,7 +60,7 @@ class Laid:
 
 def lay_on_face(face, name, division):
     """The Laid net on one face, trimmed or not. Raises InvalidInput naming the face or the step."""
-    if surface.is_trimmed(face, name):
+    if surface.is_trimmed(face, name) or division.angle or any(division.offset):
         return _lay_on_trimmed(face, name, division)
     chart = surface.read_face(face, name)
     wanted = surface.count_cells(
@@ -95,8 +98,8 @@ def chart_within_outline(face, name, step):
 def _lay_on_trimmed(face, name, division):
     if division.in_parameter:
         raise fn.InvalidInput(
-            f"{name} is trimmed, and its net is spaced by length only: set Spacing to Length, or pick a "
-            "whole face"
+            f"{name} is trimmed, or its pattern turned or shifted, and such nets are spaced by length only: "
+            "set Spacing to Length"
         )
     made = trimmed_net(
         face,
@@ -106,6 +109,8 @@ def _lay_on_trimmed(face, name, division):
         division.pattern,
         (division.count_u, division.count_v),
         division.swapped,
+        division.angle,
+        division.offset,
     )
     return Laid(made.nodes, made.members, tuple(map(tuple, made.panels)), uv=made.uv)
 

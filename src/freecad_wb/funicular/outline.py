@@ -176,7 +176,9 @@ class Outline:
         return line[within], on_line[within], place
 
     def inside(self, points):
-        """Whether points lie inside, by the parity of what lies below them."""
+        """Whether points lie inside, by the parity of what lies below them; beyond the rectangle none."""
+        slack = INDENT * self.extent
+        beyond = ((points < -slack) | (points > self.extent + slack)) & np.isinf(self.period)
         x, y = points.T.copy()
         extent_x, extent_y = self.extent
         if np.isfinite(self.period[0]):
@@ -201,7 +203,7 @@ class Outline:
             with np.errstate(divide="ignore", invalid="ignore"):
                 height = ay + (by - ay) * ((at - ax) / (bx - ax))
             parity[here] = np.count_nonzero(spans & (height <= y[here][:, None]), axis=1) % 2 == 1
-        return parity
+        return parity & ~beyond.any(axis=1)
 
     def passes(self, first, between, last):
         """Whether a place lies between two others of one loop, the short way round."""

@@ -20,7 +20,7 @@ import funicular as fn
 
 from . import surface
 from .clipping import Rings, border, clip, loops
-from .lattices import lattice_on
+from .lattices import lattice_on, turned_lattice
 from .outline import read_outline
 from .placing import place_nodes, pole_nodes
 from .shapes import areas_and_centres, shape_faults
@@ -59,21 +59,29 @@ class TrimmedNet:
     corners: np.ndarray
 
 
-def trimmed_net(face, name, step_u, step_v, pattern="quad", counts=(0, 0), swapped=False):
+def trimmed_net(
+    face, name, step_u, step_v, pattern="quad", counts=(0, 0), swapped=False, angle=0.0, offset=(0.0, 0.0)
+):
     """The TrimmedNet of a face in a pattern of fn.patterns().
 
     face: Part.Face, trimmed or not, placed as it stands. name: how errors call it. step_u, step_v: lengths of
     members along u and v [mm], unless counts gives cells; swapped: the pattern's u runs along v. Of a plane
-    face u is the axis that `surface.read_rectangle` finds.
-    Raises InvalidInput as surface.read_rectangle, count_cells and sample do, for a face without an outline,
-    and for what is smaller than a cell: it names the edges and says what steps to give.
+    face u is the axis that `surface.read_rectangle` finds. angle: by which the pattern is turned in the plane
+    of the lattice [degrees], about its middle; offset: by which it is shifted along its own u and v, in
+    cells. Raises InvalidInput for a turn or a shift on a face that closes or has a pole, as
+    surface.read_rectangle, count_cells and sample do, for a face without an outline, and for what is smaller
+    than a cell: it names the edges and says what steps to give.
     """
     chart, to_square = surface.read_rectangle(face, name)
     cells = surface.count_cells(chart, step_u, step_v, pattern, counts, swapped)
-    lattice, uv = lattice_on(cells, (chart.closed_u, chart.closed_v), chart.poles, pattern, swapped)
-    extent = np.array(lattice.cells) * fn.cell_extent(pattern)
-    if swapped:
-        extent = extent[::-1]
+    if angle or any(offset):
+        _refuse_to_turn(chart, name)
+        lattice, uv, extent = turned_lattice(cells, pattern, angle + 90.0 * swapped, offset)
+        swapped = False
+    else:
+        lattice, uv = lattice_on(cells, (chart.closed_u, chart.closed_v), chart.poles, pattern, swapped)
+        extent = np.array(lattice.cells) * fn.cell_extent(pattern)
+        extent = extent[::-1] if swapped else extent
     outline = read_outline(face, name, chart, to_square, extent)
     refusal = _Refusal(name, outline, step_u, step_v)
     # All that follows counts on panels that turn as u turns to v.
@@ -99,6 +107,14 @@ def trimmed_net(face, name, step_u, step_v, pattern="quad", counts=(0, 0), swapp
         at = [place for place in placed.place[list(ring)] if place >= 0.0]
         raise refusal(f"a sliver (by its {fault})", at)
     return _assembled(panels, rims, loops_of_rims, (lattice, uv), rings, placed, chart, outline)
+
+
+def _refuse_to_turn(chart, name):
+    if chart.closed_u or chart.closed_v or chart.poles:
+        raise fn.InvalidInput(
+            f"{name} closes on itself or runs to a pole, where a turned or shifted pattern would not meet "
+            "itself: set Angle, OffsetU and OffsetV to 0, or turn the pattern with SwapUV"
+        )
 
 
 class _Refusal:

@@ -67,6 +67,10 @@ def _lay(obj, source):
         wires = net_of_edges(source.shapes, source.name, amount(obj, "Chord", "mm") or None)
         return _of(wires), wires.edge_nodes if len(source.shapes) == 1 else {}
     division = _division(obj)
+    if len(source.faces) > 1 and (division.angle or any(division.offset)):
+        raise fn.InvalidInput(
+            "Angle, OffsetU and OffsetV turn and shift the pattern on one face; on several set them to 0"
+        )
     if obj.Laying == EQUAL_LENGTHS:
         laid = _of_equal_lengths(obj, source, division.step_u)
     elif len(source.faces) == 1:
@@ -142,6 +146,8 @@ def _division(obj):
         obj.CountV,
         obj.SwapUV,
         obj.Spacing == SPACINGS[1],
+        obj.Angle.Value,
+        (obj.OffsetU, obj.OffsetV),
     )
 
 

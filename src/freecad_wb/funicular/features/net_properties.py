@@ -59,7 +59,9 @@ PROPERTIES = (
         "(u, v) of the face, between 0 and 1, that a net of equal lengths grows from",
         (0.5, 0.5, 0.0),
     ),
-    Property("App::PropertyAngle", "Angle", "Equal lengths", "From u to the first members", 0.0),
+    Property("App::PropertyAngle", "Angle", "Net", "By which the pattern is turned on the face", 0.0),
+    Property("App::PropertyFloat", "OffsetU", "Net", "By how many cells the pattern is shifted along u", 0.0),
+    Property("App::PropertyFloat", "OffsetV", "Net", "By how many cells the pattern is shifted along v", 0.0),
     Property("App::PropertyAngle", "Crossing", "Equal lengths", "Between members at the start", 90.0),
     Property(
         "App::PropertyAngle",

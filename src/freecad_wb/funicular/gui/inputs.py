@@ -24,6 +24,7 @@ SECTIONS = (
             ("Net", "CountU", QT_TRANSLATE_NOOP("Funicular", "Cells along u")),
             ("Net", "CountV", QT_TRANSLATE_NOOP("Funicular", "Cells along v")),
             ("Net", "SwapUV", QT_TRANSLATE_NOOP("Funicular", "Turned")),
+            ("Net", "Angle", QT_TRANSLATE_NOOP("Funicular", "Angle")),
             ("Net", "Spacing", QT_TRANSLATE_NOOP("Funicular", "Equal in")),
         ),
     ),
