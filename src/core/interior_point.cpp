@@ -289,9 +289,11 @@ bool InteriorPoint::follow_path(Points &x, Equilibrium &equilibrium) {
     short_steps_ = length < short_length ? short_steps_ + 1 : 0;
     if (short_steps_ == most_short_steps && beginnings_ < most_beginnings) {
         x = start_;
+        equilibrium.evaluate(x);
         begin_path(x, equilibrium);
+    } else {
+        equilibrium.evaluate(x);
     }
-    equilibrium.evaluate(x);
     return x.cwiseAbs().maxCoeff() < most_growth;
 }
 

@@ -111,7 +111,7 @@ def test_numbers_edit_a_net_that_keeps_them(doc, tmp_path):
     fn.Net.grid(4, 4, 1).write(path)
     shell = make_gridshell(doc, File=path, SupportRecipe="Corners")
     shell.Net.RaisedNodes, shell.Net.RaisedHeights = [12], [500.0]
-    shell.Net.RemovedPanelNumbers = [0]
+    shell.Net.RemovedPanelNumbers = [5]
     assert recompute(doc) == {}
     assert shell.Net.SourceNodes[12].z == 500 and shell.Net.PanelCount == 15
     shell.Net.RaisedHeights = []

@@ -62,6 +62,8 @@ def test_every_property_has_a_group_and_a_tooltip(doc, box):
     groups = {
         "Net",
         "Sheet",
+        "Equal lengths",
+        "Edits",
         "Mesh",
         "Edges",
         "Weights",

@@ -74,6 +74,9 @@ def test_nodes_on_an_edge_stay_on_its_vertical_plane(doc, box, shell):
 
 def test_nodes_on_vertical_lines_rise_straight(doc, box, shell):
     make_support(doc, shell, Where="Boundary", Kind="On its vertical line")
+    recompute(doc)
+    assert_refused(shell, "nothing holds the component of 63 nodes vertically")
+    make_support(doc, shell, Where="Corners")
     assert recompute(doc) == {}
     border = net_of(shell.Net).border
     moved = (array(shell.NodePositions) - array(shell.Net.SourceNodes))[border]

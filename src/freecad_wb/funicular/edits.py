@@ -17,28 +17,57 @@ from .panels import areas
 
 @dataclass(frozen=True)
 class Places:
-    """Where the nodes of a Laid net are, for what is said by place.
+    """Where the nodes of a net are, for what is said by place.
 
     uv: (n, 2) in the unit square of the face, None where there is none. closed: whether u, v come round.
+    poles: names of sides that are one point, such as "v_max": a node there is everywhere along that side.
     """
 
     uv: np.ndarray = None
     closed: tuple = (False, False)
+    poles: frozenset = frozenset()
 
-    def nearest(self, points, place):
-        """Index of the (k, 2) points, given in the unit square, that is nearest to a place there."""
+    def nearest_node(self, place):
+        """The node nearest to a place (u, v)."""
+        return self._nearest(self.uv, place, self._anywhere())
+
+    def nearest_groups(self, groups, places):
+        """Of groups of nodes, the one whose middle is nearest to each of some places (u, v)."""
+        middles = self._middles(groups)
+        return [self._nearest(middles, place, np.zeros(middles.shape, dtype=bool)) for place in places]
+
+    def _anywhere(self):
+        """(n, 2) bool: the node is a pole, and everywhere in that direction."""
+        found = np.zeros(self.uv.shape, dtype=bool)
+        for side in self.poles:
+            axis, end = "uv".index(side[0]), 1.0 if side.endswith("max") else 0.0
+            found[np.abs(self.uv[:, axis] - end) < 1e-9, 1 - axis] = True
+        return found
+
+    def _nearest(self, points, place, anywhere):
         away = np.abs(points - place)
         away = np.where(self.closed, np.minimum(away, np.abs(1.0 - away)), away)
-        return int(np.argmin((away**2).sum(axis=1)))
+        return int(np.argmin((np.where(anywhere, 0.0, away) ** 2).sum(axis=1)))
 
-    def middles(self, groups):
-        """(k, 2) middles of groups of nodes, also of those that lie across a seam."""
+    def _middles(self, groups):
+        """(k, 2) middles of groups of nodes, also across a seam; a pole counts in one direction only."""
         nodes, sizes = topology.flat(groups)
-        begin = np.cumsum(sizes) - sizes
-        first = self.uv[nodes[begin]]
-        away = self.uv[nodes] - np.repeat(first, sizes, axis=0)
-        away -= np.where(self.closed, np.round(away), 0.0)
-        middles = first + np.add.reduceat(away, begin) / sizes[:, None]
+        begin, group = np.cumsum(sizes) - sizes, np.repeat(np.arange(len(sizes)), sizes)
+        counts = ~self._anywhere()[nodes]
+        middles = np.empty((len(sizes), 2))
+        for axis in (0, 1):
+            at = self.uv[nodes, axis]
+            # The first of each group that counts; that of a group of poles alone is as good as any.
+            first = np.full(len(sizes), -1)
+            of = np.flatnonzero(counts[:, axis])[::-1]
+            first[group[of]] = of
+            base = at[np.where(first < 0, begin, first)]
+            away = at - base[group]
+            if self.closed[axis]:
+                away -= np.round(away)
+            weight = counts[:, axis].astype(float)
+            total = np.add.reduceat(weight, begin)
+            middles[:, axis] = base + np.add.reduceat(away * weight, begin) / np.maximum(total, 1.0)
         return np.where(self.closed, middles % 1.0, middles)
 
 
@@ -68,9 +97,10 @@ class Opening:
 def edited(laid, edits, places):
     """(Laid, openings, numbers): the net with these edits, and which node of the old each of the new is.
 
-    A member that is taken out joins the two panels beside it, or takes the one with it on the border. Nodes
-    that are left without a member go. Raises InvalidInput for a number or a place that there is not, and
-    where nothing would be left, or not in one piece.
+    A member that is taken out joins the two panels beside it, or takes the one with it on the border; beside
+    an opening it makes that larger. A panel that is taken out on the border takes its members there with it.
+    Nodes that are left without a member go. Raises InvalidInput for a number or a place that there is not,
+    and where nothing would be left, or not in one piece.
     """
     nodes = np.array(laid.nodes, dtype=float)
     for where, height in edits.raised:
@@ -79,17 +109,77 @@ def edited(laid, edits, places):
         return replace(laid, nodes=nodes), (), np.arange(len(nodes))
 
     panels = [tuple(map(int, panel)) for panel in laid.panels]
-    out = _found(edits.panels, panels, "panel", places)
-    areas_of = areas(nodes, panels)
-    openings = tuple(Opening(panels[k], float(areas_of[k])) for k in sorted(out))
     members = [tuple(member) for member in np.asarray(laid.members).tolist()]
-    # All are looked up in the net as it was, so that their order does not matter.
+    out = _found(edits.panels, panels, "panel", places)
     gone = _found(edits.members, members, "member", places)
-    kept = [panel for k, panel in enumerate(panels) if k not in out]
+    cover = _Cover(panels, areas(nodes, panels), out)
+    rim = [k for k, member in enumerate(members) if len(cover.beside(member)) == 1]
     for member in sorted(gone):
-        kept = _without_edge(kept, members[member])
+        cover.join_across(members[member])
+    # What was the border of an opened panel would hang loose there.
+    gone |= {k for k in rim if cover.is_open_beside(members[k])}
     members = [member for k, member in enumerate(members) if k not in gone]
-    return _numbered_anew(laid, nodes, members, kept, openings)
+    return _numbered_anew(laid, nodes, members, cover.panels(), cover.openings())
+
+
+class _Cover:
+    """The panels of a net while members between them are taken out."""
+
+    def __init__(self, panels, areas_of, out):
+        self._around = dict(enumerate(panels))
+        self._area = dict(enumerate(map(float, areas_of)))
+        self._open = set(out)
+        self._beside = {}
+        for number, panel in self._around.items():
+            for edge in _edges(panel):
+                self._beside.setdefault(edge, set()).add(number)
+
+    def beside(self, member):
+        """Numbers of the panels on both sides of a member."""
+        return sorted(self._beside.get(_key(member), ()))
+
+    def is_open_beside(self, member):
+        return any(number in self._open for number in self.beside(member))
+
+    def join_across(self, member):
+        """Makes the two panels beside a member one, which is open if one of them is; a single one goes."""
+        numbers = self.beside(member)
+        if len(numbers) > 2 or not numbers:
+            return
+        panels = [self._around.pop(number) for number in numbers]
+        for number, panel in zip(numbers, panels):
+            for edge in _edges(panel):
+                self._beside[edge].discard(number)
+        if len(numbers) == 1:
+            return
+        one, other = (_opened(panel, member) for panel in panels)
+        # From one end of the member to the other and back.
+        joined = (*one, *other[1:-1]) if one[-1] == other[0] else (*one, *other[-2:0:-1])
+        joined, first = _without_spikes(joined), numbers[0]
+        self._around[first] = joined
+        self._area[first] += self._area[numbers[1]]
+        if self._open & set(numbers):
+            self._open.add(first)
+        for edge in _edges(joined):
+            self._beside.setdefault(edge, set()).add(first)
+
+    def panels(self):
+        return [panel for number, panel in sorted(self._around.items()) if number not in self._open]
+
+    def openings(self):
+        return tuple(
+            Opening(panel, self._area[number])
+            for number, panel in sorted(self._around.items())
+            if number in self._open
+        )
+
+
+def _key(member):
+    return (min(member), max(member))
+
+
+def _edges(panel):
+    return [_key(pair) for pair in zip(panel, panel[1:] + panel[:1])]
 
 
 def _numbered_anew(laid, nodes, members, panels, openings):
@@ -110,19 +200,20 @@ def _numbered_anew(laid, nodes, members, panels, openings):
         for opening in openings
     )
     uv = None if laid.uv is None else laid.uv[numbers]
-    made = replace(laid, nodes=nodes[numbers], members=members, panels=panels, lattice=None, uv=uv)
+    # Borders that consist of nodes around openings alone, be those of the face or taken out of the net.
+    around = {int(own[node]) for rim in laid.openings for node in rim}
+    around.update(node for opening in openings for node in opening.nodes)
+    rims = topology.rims(nodes[numbers], panels)[1:] if panels else ()
+    made = replace(
+        laid,
+        nodes=nodes[numbers],
+        members=members,
+        panels=panels,
+        lattice=None,
+        uv=uv,
+        openings=tuple(rim for rim in rims if around.issuperset(rim.tolist())),
+    )
     return made, openings, numbers
-
-
-def _without_edge(panels, member):
-    """The panels once a member is gone: the two beside it are one, a single one goes with it."""
-    beside = [k for k, panel in enumerate(panels) if _edge_at(panel, member) is not None]
-    if len(beside) == 2:
-        one, other = (_opened(panels[k], member) for k in beside)
-        # From one end of the member to the other and back.
-        joined = (*one, *other[1:-1]) if one[-1] == other[0] else (*one, *other[-2:0:-1])
-        panels = [*panels, _without_spikes(joined)]
-    return [panel for k, panel in enumerate(panels) if k not in beside]
 
 
 def _without_spikes(panel):
@@ -153,7 +244,8 @@ def _opened(panel, member):
 def _node(where, nodes, places):
     if not isinstance(where, tuple):
         return _checked(where, len(nodes), "node")
-    return places.nearest(_uv(places), where)
+    _uv(places)
+    return places.nearest_node(where)
 
 
 def _found(wheres, groups, what, places):
@@ -162,8 +254,7 @@ def _found(wheres, groups, what, places):
     by_place = [where for where in wheres if isinstance(where, tuple)]
     if by_place:
         _uv(places)
-        middles = places.middles(groups)
-        found.update(places.nearest(middles, where) for where in by_place)
+        found.update(places.nearest_groups(groups, by_place))
     return found
 
 

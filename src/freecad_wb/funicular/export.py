@@ -25,9 +25,13 @@ def lattice_of(shell):
     nodes: (n, 3) [m]; members: (m, 2) node numbers; panels: node numbers around each.
     Raises InvalidInput if the gridshell has no result, or none of its present input, or stands at a tilt.
     """
+    if getattr(shell, MARKER, "") != "Gridshell":
+        raise fn.InvalidInput(f"{getattr(shell, 'Label', shell)} is no Gridshell: give one")
     if shell.Status not in ("", "converged"):
         raise fn.InvalidInput(f"{shell.Label} has no result: {shell.Summary}")
-    if not shell.Status or any("Touched" in obj.State or not obj.isValid() for obj in (shell, shell.Net)):
+    if not shell.Status or any(
+        "Touched" in obj.State or not obj.isValid() for obj in (shell, shell.Net, *shell.Supports)
+    ):
         raise fn.InvalidInput(f"{shell.Label} has no result for its net as it is now: recompute it first")
     refuse_tilt(shell)
     place = shell.getGlobalPlacement().Matrix

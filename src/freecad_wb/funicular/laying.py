@@ -42,9 +42,9 @@ class Laid:
     """A net as it lies on its source.
 
     nodes: (n, 3) [mm]. uv: (n, 2) in the unit square of the face, None where there is none. lattice: what it
-    was made on, None where it is no lattice; members, panels: its connectivity. cells, closed, poles: of the
-    lattice, along u and along v of the face. remarks: sentences on what came out otherwise than it was asked
-    for.
+    was made on, None where it is no lattice; members, panels: its connectivity. cells: of the lattice,
+    closed, poles: of the face, along its u and v. openings: borders, as their nodes, that are those of holes.
+    remarks: sentences on what came out otherwise than it was asked for.
     """
 
     nodes: np.ndarray
@@ -56,6 +56,7 @@ class Laid:
     poles: frozenset = frozenset()
     remarks: tuple = ()
     uv: np.ndarray = None
+    openings: tuple = ()
 
 
 def lay_on_face(face, name, division):
@@ -112,7 +113,19 @@ def _lay_on_trimmed(face, name, division):
         division.angle,
         division.offset,
     )
-    return Laid(made.nodes, made.members, tuple(map(tuple, made.panels)), uv=made.uv)
+    # A rim along a whole side of the rectangle is where the face ends, and no hole in it.
+    openings = tuple(
+        rim for rim in made.rims[1:] if not any(np.ptp(made.uv[rim, axis]) < 1e-9 for axis in (0, 1))
+    )
+    return Laid(
+        made.nodes,
+        made.members,
+        tuple(map(tuple, made.panels)),
+        closed=made.closed,
+        poles=made.poles,
+        uv=np.where(made.closed, made.uv % 1.0, made.uv),
+        openings=openings,
+    )
 
 
 def place(chart, uv, division):

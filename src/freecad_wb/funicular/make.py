@@ -21,7 +21,7 @@ from .features.covering import Covering
 from .features.feature import MARKER, reason
 from .features.gridshell import Gridshell
 from .features.net import Net
-from .features.support import Support
+from .features.support import WHERE_BY, Support
 
 FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell, Support, Covering)}
 
@@ -84,18 +84,22 @@ def make_gridshell(doc, source=None, net=None, **properties):
 def make_support(doc, gridshell, **properties):
     """Add a Support to a Gridshell and return it; doc.recompute() then finds its nodes and relaxes again.
 
-    properties: see Support, such as Where="Edges and vertices", Elements=["Edge3"], Kind="On its vertical
-    plane". The gridshell's SupportRecipe goes on to hold what it did; Kind="Free" takes nodes from it. Raises
-    ValueError for what is no gridshell, a name that is no property of a Support, a value that it does not
-    take; then the document is as before.
+    properties: see Support, such as Elements=["Edge3"], Kind="On its vertical plane"; Where follows from
+    Elements, Points or Nodes. The gridshell's SupportRecipe goes on to hold all other nodes; Kind="Free"
+    leaves nodes to no support. Raises ValueError for what is no gridshell, a name that is no property of a
+    Support, a value that it does not take; then the document is as before.
     """
     if getattr(gridshell, MARKER, "") != Gridshell.TYPE or gridshell.Document != doc:
         raise ValueError(
             f"gridshell is {getattr(gridshell, 'Label', gridshell)!r}, which is no Gridshell of {doc.Label}"
         )
     _check_names(Support, properties)
+    given = [where for name, where in WHERE_BY.items() if name in properties]
+    if given and "Where" not in properties:
+        properties = {"Where": given[0], **properties}
     with _one_undo_step(doc, "Make support"):
         obj = _add(doc, Support)
+        _put_beside(obj, gridshell)
         obj.Net = gridshell.Net
         _set(obj, Support, properties)
         gridshell.Supports = [*gridshell.Supports, obj]
@@ -120,12 +124,17 @@ def make_covering(doc, gridshell, **properties):
     _check_names(Covering, properties)
     with _one_undo_step(doc, "Make covering"):
         obj = _add(doc, Covering)
-        container = gridshell.getParentGeoFeatureGroup()
-        if container is not None:
-            container.addObject(obj)
+        _put_beside(obj, gridshell)
         obj.Gridshell = gridshell
         _set(obj, Covering, properties)
         return obj
+
+
+def _put_beside(obj, gridshell):
+    """Into the container of a gridshell, so that it is seen where that is."""
+    container = gridshell.getParentGeoFeatureGroup()
+    if container is not None:
+        container.addObject(obj)
 
 
 def attach(obj):
@@ -155,6 +164,9 @@ def attach_view_provider(obj):
 
 def _make_net(doc, source, properties):
     _check_names(Net, properties)
+    also = [name for name in ("File", "Width", "Depth") if name in properties]
+    if source is not None and also:
+        raise ValueError(f"give either source, or {' and '.join(also)}: a net lies on one of them")
     if source is not None:
         source, subs = _one_source(source)
         if source.Document != doc:
@@ -221,11 +233,11 @@ def _set(obj, feature, properties):
     for name, value in properties.items():
         each = known[name]
         try:
-            setattr(obj, name, _quantity(value, each.unit) if each.unit else _plain(value))
+            setattr(obj, name, _taken(each, value))
         except (ArithmeticError, TypeError, ValueError) as error:
             choices = f"; there are {', '.join(each.choices)}" if each.choices else ""
             example = f", such as '{each.default}'" if isinstance(each.default, str) and not choices else ""
-            shown = f"{value} {each.unit}" if each.unit and isinstance(value, Real) else repr(value)
+            shown = f"{value} {each.unit}" if each.unit and isinstance(value, Real) else repr(value)[:60]
             raise ValueError(f"{name} = {shown} does not do: {reason(error)}{choices}{example}") from None
 
 
@@ -253,6 +265,24 @@ def _plain(value):
             raise ValueError("give a finite number")
         return float(value)
     return value
+
+
+def _vector(value):
+    """A place (u, v) as FreeCAD's vector (u, v, 0); what is none is left for FreeCAD to refuse."""
+    if isinstance(value, (tuple, list)) and len(value) == 2 and all(isinstance(at, Real) for at in value):
+        return App.Vector(float(value[0]), float(value[1]), 0.0)
+    return value
+
+
+def _taken(each, value):
+    """A value as its Property takes it."""
+    if each.unit:
+        return _quantity(value, each.unit)
+    if each.kind == "App::PropertyVector":
+        return _vector(value)
+    if each.kind == "App::PropertyVectorList" and isinstance(value, (tuple, list)):
+        return [_vector(at) for at in value]
+    return _plain(value)
 
 
 @contextmanager

@@ -83,8 +83,8 @@ def net_of_mesh(points, facets, name, weld=None, lines=()):
     return MeshNet(nodes, members, panels, numbers, topology.rims(nodes, panels), remarks)
 
 
-def mesh_of(obj, name):
-    """(points, facets) of a FreeCAD Mesh::Feature, placed as it stands in the document.
+def mesh_of(obj, name, place=None):
+    """(points, facets) of a FreeCAD Mesh::Feature, placed as it stands in the document, or at another place.
 
     points: (n, 3) [mm], facets: list of triples, both in the numbering of the mesh. FreeCAD's meshes hold
     triangles only: what was a quad in a file is two of them there (`read_mesh_file` keeps it).
@@ -94,7 +94,7 @@ def mesh_of(obj, name):
         raise fn.InvalidInput(f"{name} is not a mesh: pick a mesh object")
     mesh = obj.Mesh.copy()
     # The mesh knows its object's own place, not that of what contains it.
-    mesh.Placement = obj.getGlobalPlacement()
+    mesh.Placement = obj.getGlobalPlacement() if place is None else place
     points, facets = mesh.Topology
     if not facets:
         raise fn.InvalidInput(f"{name} has no facets: pick a mesh that has some")

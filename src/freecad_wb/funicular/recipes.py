@@ -14,11 +14,12 @@ LEVEL = 1e-4
 SHARP = 30.0
 
 
-def support_recipe(net, name):
+def support_recipe(net, name, openings=()):
     """The supports that a recipe makes on a net, from the positions of its nodes.
 
-    name, one of
-    - "boundary": points on every node of the open border;
+    openings: borders, as their nodes, that are known to be those of holes; without them every border but the
+    longest is one for "opening rims". name, one of
+    - "boundary": points on every node of the open border, but for openings;
     - "corners": points on the corners of the net's lattice, or, of a net on no lattice, on the nodes where
       its outer border turns by more than 30 degrees;
     - "corners and border planes": points on the corners, and for every other border node the vertical plane
@@ -33,7 +34,7 @@ def support_recipe(net, name):
     """
     if name not in RECIPES:
         raise fn.InvalidInput(f"recipe '{name}' is unknown: choose one of {', '.join(RECIPES)}")
-    supports = RECIPES[name](net)
+    supports = RECIPES[name](net, openings)
     if sum(len(support.ids) for support in supports if isinstance(support, fn.Fixed)) == len(net.nodes):
         raise fn.InvalidInput(
             f"recipe '{name}' holds every node, so nothing is left to relax; choose another, or a finer net"
@@ -41,19 +42,25 @@ def support_recipe(net, name):
     return supports
 
 
-def _boundary(net):
-    if not len(net.border):
+def _boundary(net, openings):
+    if not net.panels:
+        raise fn.InvalidInput(
+            "recipe 'boundary': the net has no panels, and so no border; choose 'lowest points' instead, and "
+            "leave the covering out"
+        )
+    border = np.setdiff1d(net.border, np.concatenate([np.array([], dtype=int), *openings]))
+    if not len(border):
         raise fn.InvalidInput(
             "recipe 'boundary': the net is closed and has no border; choose 'lowest points' instead"
         )
-    return [fn.Fixed(net.border)]
+    return [fn.Fixed(border)]
 
 
-def _corners(net):
+def _corners(net, openings):
     return [fn.Fixed(_corner_nodes(net, "corners"))]
 
 
-def _corners_and_border_planes(net):
+def _corners_and_border_planes(net, openings):
     corners = _corner_nodes(net, "corners and border planes")
     sides = (
         net.lattice.sides.values()
@@ -68,19 +75,19 @@ def _corners_and_border_planes(net):
         ) from None
 
 
-def _opening_rims(net):
-    loops = topology.rims(net.nodes, net.panels)[1:]
+def _opening_rims(net, openings):
+    loops = openings or topology.rims(net.nodes, net.panels)[1:]
     if not loops:
         raise fn.InvalidInput("recipe 'opening rims': the net has no opening; choose 'boundary' instead")
     return [fn.Fixed(np.concatenate(loops))]
 
 
-def _lowest_points(net):
+def _lowest_points(net, openings):
     z = net.nodes[:, 2]
     return [fn.Fixed(np.flatnonzero(z <= z.min() + LEVEL * net.size))]
 
 
-def _none(net):
+def _none(net, openings):
     return []
 
 
@@ -125,6 +132,48 @@ def _between(loop, corners):
     ends = [*(at - at[0]), len(loop)]
     closed = np.append(turned, turned[0])
     return [closed[first : last + 1] for first, last in zip(ends, ends[1:])]
+
+
+def joined_lines(nodes, lines, members):
+    """[(line, whether it is closed)]: lines of nodes, those that go on smoothly in each other as one.
+
+    nodes: (n, 3). lines: node numbers in order. members: set of sorted pairs of nodes, which tell whether the
+    ends of a line meet.
+    """
+    open_lines = [list(map(int, line)) for line in lines]
+    done = []
+    while open_lines:
+        line = open_lines.pop()
+        while True:
+            found = _next_line(nodes, line, open_lines)
+            if found is None:
+                break
+            at, other = found
+            open_lines.pop(at)
+            line = other
+        if line[0] == line[-1] and len(line) > 3 and _is_smooth(nodes, line[-2], line[0], line[1]):
+            done.append((np.array(line[:-1]), True))
+        elif len(line) > 2 and (min(line[0], line[-1]), max(line[0], line[-1])) in members:
+            done.append((np.array(line), True))
+        else:
+            done.append((np.array(line), False))
+    return done
+
+
+def _next_line(nodes, line, others):
+    """(which other line goes on from this one, both as one); None if none does."""
+    for at, other in enumerate(others):
+        for one in (line, line[::-1]):
+            for two in (other, other[::-1]):
+                if one[-1] == two[0] and _is_smooth(nodes, one[-2], one[-1], two[1]):
+                    return at, one + two[1:]
+    return None
+
+
+def _is_smooth(nodes, before, at, after):
+    arriving, leaving = nodes[at] - nodes[before], nodes[after] - nodes[at]
+    along = arriving @ leaving / (np.linalg.norm(arriving) * np.linalg.norm(leaving))
+    return bool(along > np.cos(np.radians(SHARP)))
 
 
 def vertical_planes(nodes, lines, closed=False):

@@ -136,7 +136,7 @@ def rims(nodes, panels):
     """The border loops of panels that all run the same way round: a tuple of int arrays of nodes in order.
 
     Each loop runs as the panels beside it do and begins at its lowest node, which is not repeated at its end;
-    the longest loop, by length, is the first. Panels that meet at a node only have loops of their own there.
+    the loop that spans most is the first. Panels that meet at a node only have loops of their own there.
     """
     sides = HalfEdges.of(*flat(panels))
     following, twin, start = sides.following.tolist(), sides.twin.tolist(), sides.start.tolist()
@@ -153,7 +153,8 @@ def rims(nodes, panels):
         if loop:
             lowest = int(np.argmin(loop))
             loops.append(np.array(loop[lowest:] + loop[:lowest], dtype=np.int64))
-    lengths = [np.linalg.norm(nodes[loop] - nodes[np.roll(loop, -1)], axis=1).sum() for loop in loops]
+    # What is around a hole spans less than what the hole is in, however long its way may be.
+    lengths = [np.linalg.norm(np.ptp(nodes[loop], axis=0)) for loop in loops]
     # Equal loops keep the order of their nodes, whatever the last digit of their length.
     rank = [(-round(length / max(lengths), 9), int(loop[0])) for loop, length in zip(loops, lengths)]
     return tuple(loops[k] for k in sorted(range(len(loops)), key=rank.__getitem__))

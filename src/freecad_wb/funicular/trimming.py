@@ -43,15 +43,18 @@ ROOM = 2.5
 class TrimmedNet:
     """A net on a trimmed face, in mm and before any relaxation.
 
-    nodes: (n, 3) [mm]. uv: (n, 2) where they lie in the rectangle of the lattice, in [0, 1]². members: (m, 2)
-    node numbers. panels: list of tuples of node numbers, all round the same way. rims: the closed borders,
-    each an array of node numbers in order with the net to the left, the outer one first, then one for each
-    opening. edge_nodes: {"Edge3": the nodes on that edge of the face, in order along it, those at its ends
-    included}. corners: the nodes where the outer rim turns by more than 30 degrees, ascending.
+    nodes: (n, 3) [mm]. uv: (n, 2) where they lie in the rectangle of the lattice, in [0, 1]². closed, poles:
+    as in its Chart. members: (m, 2) node numbers. panels: list of tuples of node numbers, all round the same
+    way. rims: the closed borders, each an array of node numbers in order with the net to the left, the outer
+    one first, then one for each opening. edge_nodes: {"Edge3": the nodes on that edge of the face, in order
+    along it, those at its ends included}. corners: the nodes where the outer rim turns by more than 30
+    degrees, ascending.
     """
 
     nodes: np.ndarray
     uv: np.ndarray
+    closed: tuple
+    poles: frozenset
     members: np.ndarray
     panels: list
     rims: tuple
@@ -83,7 +86,7 @@ def trimmed_net(
         extent = np.array(lattice.cells) * fn.cell_extent(pattern)
         extent = extent[::-1] if swapped else extent
     outline = read_outline(face, name, chart, to_square, extent)
-    refusal = _Refusal(name, outline, step_u, step_v)
+    refusal = _Refusal(name, outline, chart, extent, any(counts))
     # All that follows counts on panels that turn as u turns to v.
     rings = Rings.of([panel[::-1] for panel in lattice.panels] if swapped else lattice.panels)
     poles = pole_nodes(uv, chart.poles)
@@ -120,8 +123,10 @@ def _refuse_to_turn(chart, name):
 class _Refusal:
     """Makes the InvalidInput of what is smaller than a cell."""
 
-    def __init__(self, name, outline, step_u, step_v):
-        self._name, self._outline, self._step = name, outline, min(step_u, step_v)
+    def __init__(self, name, outline, chart, extent, by_count):
+        self._name, self._outline, self._by_count = name, outline, by_count
+        lengths = chart.table.lengths_u.mean(), chart.table.lengths_v.mean()
+        self._step = min(float(length) / members for length, members in zip(lengths, extent))
 
     def __call__(self, what, places, room=0.5):
         """what: does not fit. places: of the outline there. room: the part of the step that would do."""
@@ -129,8 +134,9 @@ class _Refusal:
         around = ", ".join(f"Edge{edge + 1}" for edge in sorted(set(map(int, edges)))[:4]) or "its outline"
         step = room * self._step
         unit = 10.0 ** (np.floor(np.log10(step)) - 1.0)
+        wish = "larger CountU, CountV, for steps" if self._by_count else "StepU, StepV"
         return fn.InvalidInput(
-            f"{self._name}: {what} around {around} is smaller than a cell: give StepU, StepV of at most "
+            f"{self._name}: {what} around {around} is smaller than a cell: give {wish} of at most "
             f"about {np.floor(step / unit) * unit:.10g} mm"
         )
 
@@ -232,6 +238,8 @@ def _assembled(panels, rims, loops_of_rims, laid, rings, placed, chart, outline)
     return TrimmedNet(
         nodes=nodes,
         uv=placed.xy[used] / outline.extent,
+        closed=(chart.closed_u, chart.closed_v),
+        poles=chart.poles,
         members=number[members],
         panels=renumbered.select(np.arange(len(panels))),
         rims=tuple(number[rim] for rim in rims),

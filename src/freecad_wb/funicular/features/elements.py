@@ -22,7 +22,13 @@ def nodes_on_elements(body, faces, nodes):
             on_it = _along(edge, nodes, limit)
             if len(on_it):
                 found[f"Edge{number}"] = on_it
-    for number, vertex in _of_faces(body.Vertexes, [vertex for face in faces for vertex in face.Vertexes]):
+    vertices = _of_faces(body.Vertexes, [vertex for face in faces for vertex in face.Vertexes])
+    return found | _on_vertices(vertices, nodes, limit)
+
+
+def _on_vertices(vertices, nodes, limit):
+    found = {}
+    for number, vertex in vertices:
         on_it = np.flatnonzero(np.linalg.norm(nodes - np.array(tuple(vertex.Point)), axis=1) <= limit)
         if len(on_it):
             found[f"Vertex{number}"] = on_it
@@ -63,3 +69,30 @@ def _along(edge, nodes, limit):
         if (curve.value(at) - point).Length <= limit:
             along.append((at, node))
     return np.array([node for _, node in sorted(along)], dtype=int)
+
+
+def nodes_on_wires(source, wires):
+    """The same of a WireNet on a features.source.Edges, whose edges are named as in their body."""
+    if source.elements:
+        # Of several shapes the net says which one each edge is of.
+        keys = ["Edge1"] if len(source.elements) == 1 else [f"{k}.Edge1" for k in range(len(source.elements))]
+        found = {
+            element: wires.edge_nodes[key]
+            for element, key in zip(source.elements, keys)
+            if key in wires.edge_nodes
+        }
+    else:
+        found = dict(wires.edge_nodes)
+    limit = ON * float(np.linalg.norm(np.ptp(wires.nodes, axis=0)))
+    return found | _on_vertices(enumerate(source.body.Vertexes, 1), wires.nodes, limit)
+
+
+def kinds_of(body, elements):
+    """What each named edge or vertex of a body is, and of how many: another one may come to bear its name."""
+    edges, vertices = body.Edges, body.Vertexes
+    return [
+        f"{type(edges[int(name[4:]) - 1].Curve).__name__} of {len(edges)} edges"
+        if name.startswith("Edge")
+        else f"one of {len(vertices)} vertices"
+        for name in elements
+    ]

@@ -126,7 +126,7 @@ class Feature:
             sentence = f"{obj.Label}: {reason(error)}"
             self.failed(obj, error)
             # FreeCAD would skip what depends on this object and call it up to date.
-            for dependent in obj.InList:
+            for dependent in obj.InListRecursive:
                 if isinstance(getattr(dependent, "Proxy", None), Feature):
                     dependent.Proxy.failed(dependent, ValueError(sentence))
                 dependent.touch()

@@ -6,6 +6,7 @@ import numpy as np
 
 import funicular as fn
 
+from ..panels import areas
 from .feature import Feature, Property, amount, checked, reason
 from .net import edges_of, flat_panels, net_of, panels_of, to_vectors
 from .progress import Progress
@@ -293,6 +294,8 @@ def _solve(obj, scene):
 
 # A net that follows its face more loosely than this is hardly what was wanted.
 REMARKABLE_STRETCH = 1.5
+# Nor one that has fallen together.
+REMARKABLE_SHRINKAGE = 0.1
 
 # What a user can turn where the solver did not arrive.
 PROPERTIES_TO_CHANGE = {
@@ -332,11 +335,18 @@ def _write(obj, scene, result, certificate):
     obj.TotalWeight = -certificate.total_load[2] / NEWTONS
     obj.ReactionSum = certificate.reaction_sum[2] / NEWTONS
     obj.Status = result.status
-    obj.Summary = _sentence(result, certificate, 1.0 + float(deviation.max()))
+    left = _covered(net, result.nodes)
+    obj.Summary = _sentence(result, certificate, 1.0 + float(deviation.max()), left)
 
 
-def _sentence(result, certificate, stretch):
-    """stretch: of the most stretched member, its length over that on the face."""
+def _covered(net, nodes):
+    """Area of the panels over that on the face; 1 without panels."""
+    before = areas(net.nodes, net.panels).sum() if net.panels else 0.0
+    return float(areas(nodes, net.panels).sum() / before) if before else 1.0
+
+
+def _sentence(result, certificate, stretch, left):
+    """stretch: of the most stretched member, its length over that on the face; left: as _covered()."""
     if certificate.compression_only:
         forces = f"compression only, at most {_force(-result.member_forces.min())}"
         if len(certificate.slack_members):
@@ -353,6 +363,11 @@ def _sentence(result, certificate, stretch):
     sentence = f"Converged, {distance} from equilibrium; {forces}"
     if stretch > REMARKABLE_STRETCH:
         sentence += f"; members up to {stretch:.3g} times as long as on the face: stiffer ones stretch less"
+    if left < REMARKABLE_SHRINKAGE:
+        sentence += (
+            f"; but its panels have shrunk to {100 * left:.2g} % of their area, as where one point holds "
+            "all: choose other supports"
+        )
     return sentence
 
 

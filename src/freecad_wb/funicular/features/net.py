@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The Net in the document: a source and how it is divided; its shape is the net before relaxation."""
 
+from dataclasses import replace
+
 import FreeCAD as App
 import Part
 import numpy as np
@@ -12,12 +14,29 @@ from ..edits import Edits, Places, edited
 from ..lattices import lattice_on
 from ..laying import Division, Laid, chart_within_outline, lay_on_face
 from ..mesh_source import mesh_of, net_of_mesh, read_mesh_file
+from ..panels import areas
 from ..several_faces import lay_on_faces
 from ..wireframe import net_of_edges
-from .elements import nodes_on_elements
+from .elements import kinds_of, nodes_on_elements, nodes_on_wires
 from .feature import Feature, amount
-from .net_properties import EQUAL_LENGTHS, PATTERNS, PROPERTIES, SPACINGS
+from .net_properties import EQUAL_LENGTHS, FILE_UNITS, PATTERNS, PROPERTIES, SPACINGS
 from .source import Edges, File, Mesh, read_source
+
+# In mm: more than a kilometre is rather a wrong unit than a roof.
+LARGEST_LIKELY = 1e6
+
+# What a net of equal lengths has no use for, and the values at which nobody expects it.
+USED_ALONG_ISOLINES = {
+    "Pattern": "Quad",
+    "CountU": 0,
+    "CountV": 0,
+    "SwapUV": False,
+    "OffsetU": 0,
+    "OffsetV": 0,
+}
+
+# Less of a face than this is not what a net of whole cells leaves out along borders.
+MOST_OF_FACE = 0.85
 
 # OCCT takes points within 1e-7 mm of each other for one.
 SHORTEST_EDGE = 1e-7
@@ -34,18 +53,24 @@ class Net(Feature):
         if name == "Source" and "Restore" not in obj.State and hasattr(obj, "SourceBody"):
             # A new pick is trusted; from then on the body may not become another one.
             obj.SourceBody = ""
+            if obj.Source is not None:
+                # Or a net whose source is deleted would be the sheet that it was before.
+                obj.Width, obj.Depth, obj.File = 0.0, 0.0, ""
 
     def compute(self, obj):
         source = read_source(obj)
         laid, on_elements = _lay(obj, source)
-        laid, openings, numbers = edited(laid, _edits(obj), _places(laid))
+        laid, openings, numbers = edited(laid, _edits(obj), places_of(laid))
         _write(obj, laid)
+        obj.NodeNumbers = numbers.tolist() if len(numbers) and (openings or laid.lattice is None) else []
         own = {int(number): node for node, number in enumerate(numbers)}
         on_elements = {
             element: [own[node] for node in nodes.tolist() if node in own]
             for element, nodes in on_elements.items()
         }
         obj.SourceElements, obj.ElementNodes = list(on_elements), flat_panels(on_elements.values())
+        obj.ElementKinds = kinds_of(source.body, on_elements) if on_elements else []
+        obj.OpeningRims = flat_panels(laid.openings)
         obj.OpeningNodes = flat_panels(opening.nodes for opening in openings)
         obj.OpeningAreas = [opening.area for opening in openings]
         obj.SourceBody = getattr(source, "described", "")
@@ -54,7 +79,7 @@ class Net(Feature):
 def _lay(obj, source):
     """(Laid, {element of the source: its nodes}) on what a Net lies on."""
     if isinstance(source, Mesh):
-        return _of(net_of_mesh(*mesh_of(source.obj, source.name), source.name, _weld(obj))), {}
+        return _of(net_of_mesh(*mesh_of(source.obj, source.name, source.place), source.name, _weld(obj))), {}
     if isinstance(source, File):
         try:
             points, facets, lines = read_mesh_file(source.path)
@@ -62,10 +87,18 @@ def _lay(obj, source):
             raise fn.InvalidInput(
                 f"File {source.path} cannot be read ({error.strerror}): choose another"
             ) from None
-        return _of(net_of_mesh(points, facets, f"File {source.path}", _weld(obj), lines)), {}
+        points = points * (FILE_UNITS[obj.FileUnit] / FILE_UNITS["m"])
+        laid = _of(net_of_mesh(points, facets, f"File {source.path}", _weld(obj), lines))
+        return replace(laid, remarks=(*laid.remarks, *_remarks_on_size(laid.nodes, obj.FileUnit))), {}
     if isinstance(source, Edges):
-        wires = net_of_edges(source.shapes, source.name, amount(obj, "Chord", "mm") or None)
-        return _of(wires), wires.edge_nodes if len(source.shapes) == 1 else {}
+        chord = amount(obj, "Chord", "mm") or None
+        wires = net_of_edges(source.shapes, source.name, chord)
+        laid = _of(wires)
+        if chord is None and _has_curves(source.shapes):
+            laid = replace(
+                laid, remarks=(*laid.remarks, "curved edges are one straight member each: set Chord")
+            )
+        return laid, nodes_on_wires(source, wires)
     division = _division(obj)
     if len(source.faces) > 1 and (division.angle or any(division.offset)):
         raise fn.InvalidInput(
@@ -97,8 +130,14 @@ def _of_equal_lengths(obj, source, step):
     )
     panels = tuple(tuple(panel) for panel in made.panels.tolist())
     closed = chart.closed_u, chart.closed_v
-    remarks = tuple(remark.rstrip(".") for remark in made.remarks)
-    return Laid(made.nodes, made.members, panels, closed=closed, remarks=remarks, uv=made.uv)
+    remarks = [remark.rstrip(".") for remark in made.remarks]
+    ignored = [name for name, plain in USED_ALONG_ISOLINES.items() if getattr(obj, name) != plain]
+    if ignored:
+        remarks.append(f"Equal lengths takes StepU alone: {', '.join(ignored)} is not used")
+    covered = float(areas(made.nodes, panels).sum()) / source.faces[0].Area
+    if covered < MOST_OF_FACE:
+        remarks.append(f"the net covers {100 * covered:.0f} % of the face")
+    return Laid(made.nodes, made.members, panels, closed=closed, remarks=tuple(remarks), uv=made.uv)
 
 
 def _edits(obj):
@@ -107,6 +146,16 @@ def _edits(obj):
             f"RaisedNodes names {len(obj.RaisedNodes)} nodes, but RaisedHeights has {len(obj.RaisedHeights)} "
             "values: give one for each"
         )
+    for name in ("Raised", "RemovedPanels", "RemovedMembers"):
+        for k, at in enumerate(getattr(obj, name)):
+            if not (_is_share(at.x) and _is_share(at.y) and np.isfinite(at.z)):
+                raise fn.InvalidInput(
+                    f"{name}[{k}] is ({at.x:g}, {at.y:g}, {at.z:g}): give u and v between 0 and 1, shares of "
+                    "the face's length"
+                )
+    for k, height in enumerate(obj.RaisedHeights):
+        if not np.isfinite(height):
+            raise fn.InvalidInput(f"RaisedHeights[{k}] is {height:g}: give a length in mm")
     raised = [((at.x, at.y), at.z) for at in obj.Raised]
     return Edits(
         raised + list(zip(obj.RaisedNodes, obj.RaisedHeights)),
@@ -115,9 +164,25 @@ def _edits(obj):
     )
 
 
-def _places(laid):
-    """Where the nodes of a net on a lattice are on the face."""
-    return Places(laid.uv, laid.closed)
+def _is_share(value):
+    return -1e-9 <= value <= 1.0 + 1e-9
+
+
+def places_of(laid):
+    """Where the nodes of a Laid net are on the face."""
+    return Places(laid.uv, laid.closed, laid.poles)
+
+
+def _remarks_on_size(nodes, unit):
+    size = float(np.linalg.norm(np.ptp(nodes, axis=0)))
+    if size > LARGEST_LIKELY:
+        yield f"the file measures {size / 1e6:.3g} km in {unit}: if it is in another unit, set FileUnit"
+
+
+def _has_curves(shapes):
+    return any(
+        not isinstance(edge.Curve, (Part.Line, Part.LineSegment)) for each in shapes for edge in each.Edges
+    )
 
 
 def _weld(obj):
@@ -202,6 +267,11 @@ def nodes_of_element(obj, element):
             f"{obj.Label} has no nodes on '{element}': there are {', '.join(obj.SourceElements) or 'none'}"
         )
     return np.array(panels_of(obj.ElementNodes)[obj.SourceElements.index(element)], dtype=int)
+
+
+def openings_of(obj):
+    """The borders of a Net, as their nodes, that are those of holes."""
+    return [np.array(rim, dtype=int) for rim in panels_of(obj.OpeningRims)]
 
 
 def flat_panels(panels):

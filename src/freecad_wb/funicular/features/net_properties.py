@@ -21,6 +21,9 @@ PATTERNS = (
 
 ISOLINES, EQUAL_LENGTHS = "Along isolines", "Equal lengths"
 
+# Millimetres in each.
+FILE_UNITS = {"m": 1000.0, "cm": 10.0, "mm": 1.0, "ft": 304.8, "in": 25.4}
+
 SPACINGS = ("Length", "Parameter")
 
 PROPERTIES = (
@@ -101,7 +104,10 @@ PROPERTIES = (
         "App::PropertyFile",
         "File",
         "Mesh",
-        "A mesh file (obj, ply, stl, off; metres) that is taken as it is, where there is no source",
+        "A mesh file (obj, ply, stl, off) that is taken as it is, where there is no source",
+    ),
+    Property(
+        "App::PropertyEnumeration", "FileUnit", "Mesh", "Unit of the lengths in File", "m", tuple(FILE_UNITS)
     ),
     Property(
         "App::PropertyLength",
@@ -171,12 +177,23 @@ PROPERTIES = (
                 "Edges and vertices of the source that hold nodes",
             ),
             ("App::PropertyIntegerList", "ElementNodes", "Of each how many nodes, then their numbers"),
+            ("App::PropertyStringList", "ElementKinds", "What each of SourceElements is"),
+            (
+                "App::PropertyIntegerList",
+                "OpeningRims",
+                "Of each border of a hole how many nodes, then these",
+            ),
             (
                 "App::PropertyIntegerList",
                 "OpeningNodes",
                 "Of each opening how many nodes, then their numbers",
             ),
             ("App::PropertyFloatList", "OpeningAreas", "Area of each opening on the source [mm²]"),
+            (
+                "App::PropertyIntegerList",
+                "NodeNumbers",
+                "Which node each was before edits; empty if the same",
+            ),
             ("App::PropertyVectorList", "NodePlaces", "(u, v) of each node that is on no lattice"),
             ("App::PropertyString", "SourceBody", "What the face belonged to when it was picked"),
         )

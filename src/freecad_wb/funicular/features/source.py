@@ -31,6 +31,7 @@ class Mesh:
 
     obj: object
     name: str
+    place: object  # App.Placement of where it is seen
 
 
 @dataclass(frozen=True)
@@ -42,10 +43,15 @@ class File:
 
 @dataclass(frozen=True)
 class Edges:
-    """Part shapes of edges, placed as they stand, and how sentences call them."""
+    """Part shapes of edges, placed as they stand, and how sentences call them.
+
+    elements: the names of single edges of a body; empty where all of a shape is meant. body: the whole.
+    """
 
     shapes: tuple
     name: str
+    elements: tuple
+    body: object
 
 
 def read_source(obj):
@@ -60,9 +66,11 @@ def read_source(obj):
         raise fn.InvalidInput(
             f"{obj.Label} lies inside {source.Label}, which holds its own face: move it out of {source.Label}"
         )
-    inner = source.getSubObjectList(subs[0] if subs else "")[-1:] or [source]
-    if inner[0].isDerivedFrom("Mesh::Feature"):
-        return Mesh(inner[0], f"Source {inner[0].Label}")
+    path = subs[0] if subs else ""
+    inner = (source.getSubObjectList(path) or [source])[-1].getLinkedObject(True)
+    if inner.isDerivedFrom("Mesh::Feature"):
+        # Along the path, through links and parts, as faces are read.
+        return Mesh(inner, f"Source {inner.Label}", source.getSubObject(path, 3))
     paths, elements = zip(*(_split(sub) for sub in [sub for sub in subs if sub] or [""]))
     if len(set(paths)) > 1:
         raise fn.InvalidInput(
@@ -70,8 +78,8 @@ def read_source(obj):
             "one; fuse them first, or make a net on each"
         )
     path = paths[0]
-    body = source.getSubObject(path) if path else getattr(source, "Shape", None)
-    if body is None or body.isNull():
+    body = source.getSubObject(path)
+    if body is None or not hasattr(body, "Faces") or body.isNull():
         raise fn.InvalidInput(
             f"Source {source.Label}{path and '.' + path[:-1]} has no shape: recompute or mend it, "
             "or pick another face"
@@ -79,13 +87,14 @@ def read_source(obj):
     count = len(body.Faces)
     if _are_edges(elements, body):
         shapes = [source.getSubObject(path + element) if element else body for element in elements]
-        return Edges(_edges(source, path, elements, shapes), f"Source {source.Label}")
+        named = tuple(element for element in elements if element)
+        return Edges(_edges(source, path, elements, shapes), f"Source {source.Label}", named, body)
     if not any(elements):
         if count != 1 and (count == 0 or body.Solids):
             raise fn.InvalidInput(f"Source {source.Label} has {count} faces: pick one of them")
         elements = [f"Face{number}" for number in range(1, count + 1)]
     names = tuple(f"Source {source.Label}.{path}{element}" for element in elements)
-    faces = tuple(_face(source, path, element, name, count) for element, name in zip(elements, names))
+    faces = tuple(_face(source, body, element, name, count) for element, name in zip(elements, names))
     if len({element.lstrip("?") for element in elements}) < len(elements):
         raise fn.InvalidInput(f"Source names a face of {source.Label} twice ({', '.join(subs)})")
     described = "one face" if count == 1 else f"{count} faces"
@@ -137,17 +146,18 @@ def _split(sub):
     return path and path + ".", element
 
 
-def _face(source, path, element, name, count):
+def _face(source, body, element, name, count):
     if not element.lstrip("?").startswith("Face"):
         raise fn.InvalidInput(f"{name} is not a face: pick a face")
     # 1.0 and later write '?Face3' for a face that is gone.
-    face = None if element.startswith("?") else source.getSubObject(path + element)
-    if face is None or face.isNull():
+    number = element[len("Face") :]
+    # Taken from the body itself: asked for by name, its edges would not be the same as the body's.
+    if not number.isdigit() or not 1 <= int(number) <= count:
         raise fn.InvalidInput(
             f"{name} no longer exists ({source.Label} has {count} face{'s' * (count != 1)} now): "
             "pick the face again"
         )
-    return face
+    return body.Faces[int(number) - 1]
 
 
 def _faces_keep_their_names():

@@ -9,9 +9,9 @@ import funicular as fn
 
 from .. import topology
 from ..edits import Places
-from ..recipes import support_recipe, vertical_planes
+from ..recipes import joined_lines, support_recipe, vertical_planes
 from .feature import Feature, Property, amount
-from .net import nodes_of_element, net_of, positions_of
+from .net import nodes_of_element, net_of, openings_of, positions_of
 
 # Of a Gridshell: which nodes, and how they are held.
 RECIPES = ("Boundary", "Corners", "Corners and border planes", "Lowest points", "Opening rims", "None")
@@ -19,6 +19,7 @@ RECIPES = ("Boundary", "Corners", "Corners and border planes", "Lowest points", 
 # Of a Support: those that say which nodes; how they are held says Kind.
 NODE_RECIPES = ("Corners", "Boundary", "Lowest points", "Opening rims")
 ELEMENTS, POINTS, NODES = "Edges and vertices", "Points", "Nodes"
+WHERE_BY = {"Elements": ELEMENTS, "Points": POINTS, "Nodes": NODES}
 PLACES = (*NODE_RECIPES, ELEMENTS, POINTS, NODES)
 
 FIXED, VERTICAL_PLANE, VERTICAL_LINE = "Fixed", "On its vertical plane", "On its vertical line"
@@ -46,7 +47,10 @@ class Support(Feature):
             "(u, v) of the face between 0 and 1 (z is not used): the node nearest to each",
         ),
         Property(
-            "App::PropertyIntegerList", "Nodes", "Support", "Numbers of nodes, for a net that keeps them"
+            "App::PropertyIntegerList",
+            "Nodes",
+            "Support",
+            "Numbers of nodes before edits, for a net that keeps them",
         ),
         Property(
             "App::PropertyEnumeration",
@@ -72,7 +76,20 @@ class Support(Feature):
             unit="N/m",
         ),
         Property("App::PropertyIntegerList", "HeldNodes", "Support", "What was found", mode=("ReadOnly",)),
+        Property(
+            "App::PropertyStringList",
+            "ElementsWere",
+            "Support",
+            "What the elements were when they were picked",
+            mode=("ReadOnly", "Hidden"),
+        ),
     )
+
+    def onChanged(self, obj, name):
+        super().onChanged(obj, name)
+        if name == "Elements" and "Restore" not in obj.State and hasattr(obj, "ElementsWere"):
+            # A new pick is trusted; from then on they may not become other ones.
+            obj.ElementsWere = []
 
     def compute(self, obj):
         net = net_of_support(obj)
@@ -81,6 +98,7 @@ class Support(Feature):
         points = positions_of(obj.Net)[held]
         obj.Shape = Part.Compound([Part.Vertex(App.Vector(*point)) for point in points.tolist()])
         obj.HeldNodes = held.tolist()
+        obj.ElementsWere = _kinds(obj) if obj.Where == ELEMENTS else []
 
 
 def at_picks(shell, elements, points):
@@ -98,7 +116,8 @@ def at_picks(shell, elements, points):
     picked = [int(np.argmin(np.linalg.norm(nodes - tuple(point), axis=1))) for point in points]
     if shell.Net.NodePlaces:
         return {"Where": POINTS, "Points": [shell.Net.NodePlaces[node] for node in picked]}
-    return {"Where": NODES, "Nodes": picked}
+    numbers = shell.Net.NodeNumbers or range(len(nodes))
+    return {"Where": NODES, "Nodes": [int(numbers[node]) for node in picked]}
 
 
 def net_of_support(obj):
@@ -124,23 +143,41 @@ def _lines(obj, net):
     """The nodes of a Support: one array for each edge or border, or for all."""
     if obj.Where in ("Boundary", "Opening rims"):
         # Asked of the recipe, which says why there is none.
-        support_recipe(net, obj.Where.lower())
-        return topology.rims(net.nodes, net.panels)[1 if obj.Where == "Opening rims" else 0 :]
+        held = support_recipe(net, obj.Where.lower(), openings_of(obj.Net))[0].ids
+        return [rim for rim in topology.rims(net.nodes, net.panels) if np.isin(rim, held).all()]
     if obj.Where in NODE_RECIPES:
-        return [np.asarray(support_recipe(net, obj.Where.lower())[0].ids)]
+        return [np.asarray(support_recipe(net, obj.Where.lower(), openings_of(obj.Net))[0].ids)]
     if obj.Where == ELEMENTS:
         if not obj.Elements:
             raise fn.InvalidInput("Elements is empty: name edges or vertices of the source, such as Edge1")
-        return [nodes_of_element(obj.Net, element) for element in obj.Elements]
+        lines = [nodes_of_element(obj.Net, element) for element in obj.Elements]
+        for element, was, now in zip(obj.Elements, obj.ElementsWere, _kinds(obj)):
+            if was != now:
+                raise fn.InvalidInput(
+                    f"Elements: {element} may be another than the one that was picked, because the source "
+                    f"has changed (then: {was}; now: {now}): set Elements again"
+                )
+        return lines
     if obj.Where == POINTS:
         return [_nearest(obj)]
-    wrong = next((node for node in obj.Nodes if not 0 <= node < len(net.nodes)), None)
+    numbers = obj.Net.NodeNumbers or range(len(net.nodes))
+    own = {number: node for node, number in enumerate(numbers)}
+    wrong = next((node for node in obj.Nodes if node not in own), None)
+    if wrong is not None and obj.Net.NodeNumbers:
+        raise fn.InvalidInput(
+            f"Nodes holds {wrong}, which edits of the net have taken out: correct it, or leave its members"
+        )
     if wrong is not None:
         raise fn.InvalidInput(
             f"Nodes holds {wrong}, but the net has nodes 0 to {len(net.nodes) - 1}: correct it, or pick "
             "points or edges, which another step leaves where they are"
         )
-    return [np.array(obj.Nodes, dtype=int)]
+    return [np.array([own[node] for node in obj.Nodes], dtype=int)]
+
+
+def _kinds(obj):
+    kinds = dict(zip(obj.Net.SourceElements, obj.Net.ElementKinds))
+    return [kinds.get(element, "") for element in obj.Elements]
 
 
 def _nearest(obj):
@@ -150,7 +187,11 @@ def _nearest(obj):
             "Points are (u, v) of one whole face, which this net does not lie on: choose "
             f"{ELEMENTS} or {NODES}"
         )
-    places = Places(np.array([(at.x, at.y) for at in obj.Net.NodePlaces]), (obj.Net.ClosedU, obj.Net.ClosedV))
+    places = Places(
+        np.array([(at.x, at.y) for at in obj.Net.NodePlaces]),
+        (obj.Net.ClosedU, obj.Net.ClosedV),
+        frozenset(obj.Net.Poles),
+    )
     found = []
     for at, point in enumerate(obj.Points):
         if not (-1e-9 <= point.x <= 1 + 1e-9 and -1e-9 <= point.y <= 1 + 1e-9):
@@ -158,7 +199,7 @@ def _nearest(obj):
                 f"Points[{at}] is ({point.x:g}, {point.y:g}): give u and v between 0 and 1, shares of the "
                 "face's length"
             )
-        found.append(places.nearest(places.uv, (point.x, point.y)))
+        found.append(places.nearest_node((point.x, point.y)))
     return np.array(found, dtype=int)
 
 
@@ -192,12 +233,16 @@ def _on_vertical_planes(obj, net, nodes, stiffness):
             f"Kind: {obj.Where} have no direction along which a vertical plane could stand; choose "
             f"'{PLANE}' and give its normal as Direction, or say where by {ELEMENTS}"
         )
+    joined = [(line, True) for line in lines]
+    if obj.Where == ELEMENTS:
+        members = {tuple(sorted(member)) for member in net.members.tolist()}
+        joined = joined_lines(net.nodes, lines, members)
     planes = []
-    for line in lines:
-        if obj.Where == ELEMENTS:
-            planes += vertical_planes(*_lengthened(net.nodes, line))
-        else:
+    for line, is_closed in joined:
+        if is_closed:
             planes += vertical_planes(net.nodes, [line], closed=True)
+        else:
+            planes += vertical_planes(*_lengthened(net.nodes, line))
     return [fn.OnPlane(plane.ids, normal=plane.normal, stiffness=stiffness) for plane in planes]
 
 
@@ -208,7 +253,7 @@ def _lengthened(nodes, line):
 
 
 def supports_of_gridshell(obj, net):
-    """The fn supports of a Gridshell: those of its recipe and of its Supports, less what these free.
+    """The fn supports of a Gridshell: those of its Supports, and of its recipe on all other nodes.
 
     Raises InvalidInput naming SupportRecipe or the Support.
     """
@@ -219,10 +264,10 @@ def supports_of_gridshell(obj, net):
             + ", or give it Supports"
         )
     try:
-        supports = support_recipe(net, obj.SupportRecipe.lower())
+        supports = support_recipe(net, obj.SupportRecipe.lower(), openings_of(obj.Net))
     except fn.InvalidInput as error:
         raise fn.InvalidInput(f"SupportRecipe: {error}") from None
-    freed = set()
+    own, spoken_for, freed = [], set(), set()
     for support in obj.Supports:
         if getattr(support, "FunicularType", "") != "Support" or support.Net != obj.Net:
             raise fn.InvalidInput(
@@ -231,12 +276,16 @@ def supports_of_gridshell(obj, net):
             )
         try:
             nodes = nodes_of_support(support, net)
-            supports += supports_of(support, net, nodes)
+            own += supports_of(support, net, nodes)
         except fn.InvalidInput as error:
             raise fn.InvalidInput(f"{support.Label}: {error}") from None
+        spoken_for.update(nodes.tolist())
         if support.Kind == FREE:
             freed.update(nodes.tolist())
-    return [kept for support in supports if (kept := _without(support, freed))]
+    # A support that slides or yields would say nothing where the recipe holds its nodes.
+    supports = [_without(support, spoken_for) for support in supports]
+    supports += [_without(support, freed) for support in own]
+    return [support for support in supports if support is not None]
 
 
 def _without(support, freed):

@@ -155,13 +155,14 @@ class SupportCommand:
 
         try:
             shell = the_gridshell()
+            picks = picks_of(shell)
         except WrongSelection as error:
             show_message(str(error))
             return
         document = shell.Document
         document.openTransaction(translate("Support"))
         try:
-            support = make_support(document, shell, **at_picks(shell, *picks_of(shell)))
+            support = make_support(document, shell, **at_picks(shell, *picks))
             document.recompute()
             if not support.isValid():
                 raise ValueError(support.getStatusString())

@@ -54,15 +54,28 @@ def picks_of(shell):
         where its own nodes were clicked.
     """
     elements, points = [], []
-    source = shell.Net.Source[0] if shell.Net and shell.Net.Source else None
+    source, paths = shell.Net.Source if shell.Net and shell.Net.Source else (None, ("",))
+    body = paths[0].rpartition(".")[0] if paths else ""
     for selected in FreeCADGui.Selection.getSelectionEx("", 0):
         for path in selected.SubElementNames:
             obj = selected.Object.getSubObjectList(path)[-1]
-            element = path.rpartition(".")[2]
+            container, _, element = path.rpartition(".")
             if obj == shell and element.startswith("Vertex"):
                 points.append(selected.Object.getSubObject(path).Point)
-            elif selected.Object == source and element.startswith(("Edge", "Vertex")):
+            elif element.startswith(("Edge", "Vertex")) and obj != shell:
+                if (selected.Object, container) != (source, body):
+                    raise WrongSelection(
+                        translate("{} of {} is not what the net lies on: select edges of its source.").format(
+                            element, obj.Label
+                        )
+                    )
                 elements.append(element)
+    if elements and points:
+        raise WrongSelection(
+            translate(
+                "Select either nodes of the gridshell or edges of its source, and make one support of each."
+            )
+        )
     return elements, points
 
 
@@ -87,8 +100,8 @@ def the_gridshell():
     if len(shells) != 1:
         raise WrongSelection(
             translate(
-                "{} gridshells are selected, and a covering lies on one. "
-                "Select a single Gridshell in the tree, then run Covering again."
+                "{} gridshells are selected, and this is done for one. "
+                "Select a single Gridshell in the tree, then run the command again."
             ).format(len(shells))
         )
     return shells[0]
