@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where things are: through links and parts, across seams, at poles and holes, after changes of the source."""
+"""Where things are: through links and parts, across seams, at poles and holes, after the source changes."""
 
 import collections
 

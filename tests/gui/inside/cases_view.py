@@ -6,6 +6,7 @@ import subprocess
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 import pytest
 from funicular.gui import legend
 from funicular.make import make_gridshell
@@ -318,9 +319,11 @@ def test_picture_of_tension_shows_orange(document, pictures):
 
 
 def test_picture_of_an_error_in_the_panel(document, pictures):
-    cylinder = document.addObject("Part::Cylinder", "Cylinder")
+    plate = document.addObject("Part::Feature", "Plate")
+    hole = Part.makeCylinder(20, 10, App.Vector(1500, 900, -5))
+    plate.Shape = Part.makePlane(3000, 2000).cut(hole).Faces[0]
     document.recompute()
-    select_faces(cylinder, "Face2")
+    select_faces(plate, "Face1")
     run_command()
     assert wait_for_result().startswith("✖")
     settle(20)
