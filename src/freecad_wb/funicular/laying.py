@@ -64,14 +64,7 @@ def lay_on_face(face, name, division):
     if surface.is_trimmed(face, name) or division.angle or any(division.offset):
         return _lay_on_trimmed(face, name, division)
     chart = surface.read_face(face, name)
-    wanted = surface.count_cells(
-        chart,
-        division.step_u,
-        division.step_v,
-        division.pattern,
-        (division.count_u, division.count_v),
-        division.swapped,
-    )
+    wanted = cells_of(chart, division)
     closed = chart.closed_u, chart.closed_v
     lattice, uv = lattice_on(wanted, closed, chart.poles, division.pattern, division.swapped)
     cells = lattice.cells[::-1] if division.swapped else lattice.cells
@@ -125,6 +118,14 @@ def _lay_on_trimmed(face, name, division):
         poles=made.poles,
         uv=np.where(made.closed, made.uv % 1.0, made.uv),
         openings=openings,
+    )
+
+
+def cells_of(chart, division):
+    """Cells along u and v that a Division asks for. Raises InvalidInput naming the step."""
+    counts = division.count_u, division.count_v
+    return surface.count_cells(
+        chart, division.step_u, division.step_v, division.pattern, counts, division.swapped
     )
 
 

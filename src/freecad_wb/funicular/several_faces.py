@@ -12,8 +12,8 @@ import numpy as np
 import funicular as fn
 
 from . import surface
-from .lattices import lattice_on
-from .laying import Laid, place, refuse_pinches
+from .lattices import ACROSS, lattice_on
+from .laying import Laid, cells_of, place, refuse_pinches
 
 # Nodes of two faces on their common edge are one if nearer than this part of the step.
 SAME_NODE = 1e-3
@@ -59,14 +59,7 @@ def lay_on_faces(source, division):
 
 def _read(face, name, body, division):
     chart = surface.read_face(face, name)
-    cells = surface.count_cells(
-        chart,
-        division.step_u,
-        division.step_v,
-        division.pattern,
-        (division.count_u, division.count_v),
-        division.swapped,
-    )
+    cells = cells_of(chart, division)
     return _Part(name, chart, _sides(face, chart, body), list(cells))
 
 
@@ -239,8 +232,7 @@ def _shortest(part):
 
 def _on_side(part, side, division):
     """Nodes along a side of a part, in order; the first once more at the end of a closed one."""
-    across = {"u_min": "v_min", "u_max": "v_max", "v_min": "u_min", "v_max": "u_max"}
-    return np.asarray(part.lattice.sides[across[side] if division.swapped else side])
+    return np.asarray(part.lattice.sides[ACROSS[side] if division.swapped else side])
 
 
 def _matches(points, others, limit):

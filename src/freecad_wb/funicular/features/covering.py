@@ -8,8 +8,7 @@ import funicular as fn
 
 from ..panels import areas, best_planes, turned
 from .feature import Feature, Property, amount
-from .net import panels_of
-from .net import SHORTEST_EDGE, to_vectors
+from .net import SHORTEST_EDGE, panels_of, to_vectors
 
 KINDS = ("Faces", "Ruled faces", "Triangles")
 
