@@ -135,14 +135,13 @@ void bind_solve(py::module_ &module) {
         .def_property_readonly(
             "status", [](const Result &self) { return status_name(self.status); },
             "converged, iteration_limit, time_limit, cancelled or no_equilibrium. The shape is an "
-            "equilibrium if "
-            "converged, else the last there was: after no_equilibrium that may be many times the net's size")
+            "equilibrium if converged, else the last there was: after no_equilibrium that may be many times the "
+            "net's size")
         .def_property_readonly(
             "method",
             [](const Result &self) { return self.method == Method::relaxation ? "relaxation" : "newton"; },
             "The method that was used last: newton, which includes the interior-point path and coarser nets "
-            "of auto, or "
-            "relaxation")
+            "of auto, or relaxation")
         .def_readonly("message", &Result::message, "Why it ended, and what to do if that is not convergence")
         .def_property_readonly("history", &history_of,
                                "One Report per iteration; of very many, evenly spaced ones")
@@ -254,14 +253,12 @@ that the result was solved to. Raises InvalidInput if the shape does not fit the
             "replace", [](Solver &self, const std::shared_ptr<Scene> &scene) { self.replace(scene); },
             py::arg("scene"), py::call_guard<py::gil_scoped_release>(),
             "Goes on from the present shape with another scene of as many nodes; where that is far from "
-            "rest, by way of "
-            "coarser nets.")
+            "rest, by way of coarser nets.")
         .def(
             "result", [](const Solver &self) { return std::make_shared<Result>(self.result()); },
             py::call_guard<py::gil_scoped_release>(),
             "What is known of the present shape; waits for an advance in another thread to return. Before "
-            "the solve "
-            "has ended, status is iteration_limit and message says that it has not finished.")
+            "the solve has ended, status is iteration_limit and message says that it has not finished.")
         .def_property_readonly(
             "nodes",
             [](const Solver &self) {
