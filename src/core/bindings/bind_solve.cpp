@@ -135,7 +135,8 @@ void bind_solve(py::module_ &module) {
         .def_property_readonly(
             "status", [](const Result &self) { return status_name(self.status); },
             "converged, iteration_limit, time_limit, cancelled or no_equilibrium. The shape is an "
-            "equilibrium if converged, else the last there was: after no_equilibrium that may be many times the "
+            "equilibrium if converged, else the last there was: after no_equilibrium that may be many times "
+            "the "
             "net's size")
         .def_property_readonly(
             "method",
