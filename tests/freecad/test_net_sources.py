@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a Net in the document may lie on besides faces: a flat sheet, a mesh, a mesh file, edges."""
 
+import random
+
 import FreeCAD as App
 import Mesh
 import numpy as np
@@ -133,6 +135,40 @@ class TestFile:
         net.File = str(tmp_path / "none.obj")
         recompute(doc)
         assert_refused(net, "none.obj")
+
+    def test_damaged_files_end_in_a_sentence_and_never_in_a_crash(self, doc, tmp_path):
+        rng = random.Random(2009)
+        sheet = fn.Net.grid(3, 2, 1)
+        whole = {}
+        for suffix in ("obj", "ply", "off", "stl"):
+            path = tmp_path / f"whole.{suffix}"
+            sheet.write(str(path))
+            whole[suffix] = path.read_bytes()
+        net = make_net(doc, File=str(tmp_path / "whole.obj"))
+        assert recompute(doc) == {}
+        refused = 0
+        for number in range(120):
+            suffix = rng.choice(list(whole))
+            content = bytearray(whole[suffix])
+            for _ in range(rng.randint(1, 4)):
+                at = rng.randrange(len(content))
+                change = rng.randrange(3)
+                if change == 0:
+                    content[at] = rng.randrange(256)
+                elif change == 1:
+                    del content[at : at + rng.randint(1, 40)]
+                else:
+                    content[at:at] = rng.choice([b"9", b"-", b" nan ", b"\n", b"1e400 ", bytes(3)])
+            path = tmp_path / f"damaged{number}.{suffix}"
+            path.write_bytes(bytes(content))
+            net.File = str(path)
+            doc.recompute()
+            if net.isValid():
+                assert net.NodeCount == len(net_of(net).nodes) > 1
+            else:
+                refused += 1
+                assert path.name in net.getStatusString(), net.getStatusString()
+        assert 30 < refused < 120
 
 
 class TestEdges:

@@ -30,6 +30,14 @@ def vault(doc):
     return obj
 
 
+def holed_vault(rng):
+    """The half cylinder with a hole in its side, wherever that falls."""
+    whole = Part.makeCylinder(3000, 8000, V(), V(0, 1, 0), 180)
+    at, radius = V(0, rng.choice([2500, 4000, 5500]), -4000), rng.choice([700, 1100, 1600])
+    cut = whole.cut(Part.makeCylinder(radius, 8000, at, V(0.2, 0, 1)))
+    return max(cut.Faces, key=lambda face: face.Area if isinstance(face.Surface, Part.Cylinder) else 0)
+
+
 def edits_of(rng, shell, support, block_, vault_):
     """(what it is, function) of one random edit."""
     net = shell.Net
@@ -57,6 +65,8 @@ def edits_of(rng, shell, support, block_, vault_):
                     Part.makeCylinder(rng.choice([2000, 3000, 4500]), 8000, V(), V(0, 1, 0), 180).Faces[0],
                 ),
             ),
+            ("trim", lambda: setattr(vault_, "Shape", holed_vault(rng))),
+            ("turn by an angle", lambda: setattr(net, "Angle", rng.choice([0, 0, 25, 45]))),
             ("source", sources),
             ("recipe", lambda: setattr(shell, "SupportRecipe", rng.choice(RECIPES))),
             ("weight", lambda: setattr(shell, "CoveringWeight", f"{rng.choice([0, 10, 60])} kg/m^2")),
