@@ -38,6 +38,9 @@ gallery: build ## every pattern, and all that a net can lie on: docs/patterns.pn
 	@$(PYTHON) examples/gallery.py docs/patterns.png
 	@$(FREECAD) examples/sources.py docs/sources.png
 
+accuracy: build ## what accuracy costs in time, by each method: docs/accuracy.png; some minutes
+	@$(PYTHON) examples/accuracy.py docs/accuracy.png
+
 gui: build ## FreeCAD with the workbench loaded from this checkout
 	@mkdir -p $(GUI_HOME)
 	@FREECAD_USER_HOME=$(GUI_HOME) $(FREECAD) tools/install.py --link
@@ -112,5 +115,5 @@ soak: build ## random scenes and mesh files for SOAK_SECONDS (600): new ones eve
 clean: ## remove build/ and the compiled module
 	rm -rf build src/freecad_wb/funicular/_core*.so
 
-.PHONY: help demo gallery gui install setup configure build lint format bench test test-core test-sanitize test-house \
+.PHONY: help demo gallery accuracy gui install setup configure build lint format bench test test-core test-sanitize test-house \
 	test-python test-freecad test-gui soak clean

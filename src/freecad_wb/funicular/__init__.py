@@ -33,10 +33,18 @@ _NUMERIC_API = (
     "solve_matching_lengths",
 )
 
-__all__ = list(_NUMERIC_API)
+# What is written in Python on top of them, by module.
+_IN_PYTHON = {"accuracy_study": "accuracy"}
+
+__all__ = [*_NUMERIC_API, *_IN_PYTHON]
 
 
 def __getattr__(name):
+    if name in _IN_PYTHON:
+        from importlib import import_module
+
+        globals()[name] = getattr(import_module(f".{_IN_PYTHON[name]}", __name__), name)
+        return globals()[name]
     if name not in _NUMERIC_API:
         raise AttributeError(f"module 'funicular' has no attribute {name!r}")
     from . import _native
@@ -70,4 +78,4 @@ def _give_files_to(net_class, refusal):
 
 
 def __dir__():
-    return sorted(set(globals()) | set(_NUMERIC_API))
+    return sorted(set(globals()) | set(__all__))

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The picture of an accuracy study: time against error, one colour a method."""
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
+
+PAPER, INK, QUIET = "#f4f3ef", "#22262b", "#6b7178"
+COLOURS = {"auto": "#1f5fa8", "newton": "#2e8b57", "relaxation": "#c0562f"}
+NAMES = {"auto": "Auto", "newton": "Newton, factorised", "relaxation": "Relaxation (Brivio et al. 2009)"}
+
+# What rounding leaves is drawn here, as a logarithm has no zero.
+SMALLEST = 1e-12  # [m]
+
+
+def draw(study, path, chosen=None):
+    """Draws a Study; see Study.plot."""
+    figure = Figure(figsize=(9.0, 5.6), dpi=140, facecolor=PAPER)
+    FigureCanvasAgg(figure)
+    axes = figure.add_axes([0.13, 0.12, 0.84, 0.68], facecolor="white")
+    for method in dict.fromkeys(row["method"] for row in study.rows):
+        rows = [row for row in study.rows if row["method"] == method and row["status"] == "converged"]
+        if rows:
+            _draw_method(axes, method, rows, chosen)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.invert_xaxis()
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda metres, _: length_text(metres)))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda seconds, _: time_text(seconds)))
+    axes.set_xlabel("distance from equilibrium, more accurate to the right", color=INK)
+    axes.set_ylabel("time in the solver", color=INK)
+    axes.grid(True, which="major", color="#e3e1da")
+    axes.set_axisbelow(True)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+    # Above the axes, where no curve can run.
+    axes.legend(frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.01), ncol=3, fontsize=9)
+    figure.text(0.13, 0.93, "What accuracy costs", fontsize=15, color=INK, weight="bold")
+    figure.text(
+        0.13,
+        0.89,
+        f"{len(study.reference)} nodes; full: measured against the shape at 1e-12; dashed: as it was told",
+        fontsize=9,
+        color=QUIET,
+    )
+    figure.savefig(path, facecolor=PAPER)
+
+
+def _draw_method(axes, method, rows, chosen):
+    colour = COLOURS.get(method, INK)
+    seconds = [row["seconds"] for row in rows]
+    true = [max(row["true_error"], SMALLEST) for row in rows]
+    told = [max(row["estimated_error"], SMALLEST) for row in rows]
+    axes.plot(true, seconds, "o-", color=colour, label=NAMES.get(method, method), zorder=3)
+    axes.plot(told, seconds, "s--", color=colour, markersize=4, linewidth=1, alpha=0.7, zorder=2)
+    for row, error, time in zip(rows, true, seconds):
+        if row["accuracy"] == chosen:
+            axes.plot([error], [time], "o", markersize=15, fillstyle="none", color=INK, zorder=4)
+            axes.annotate(
+                f"{length_text(chosen)} asked: {time_text(time)}",
+                (error, time),
+                xytext=(10, 12),
+                textcoords="offset points",
+                fontsize=9,
+                color=INK,
+            )
+
+
+def length_text(metres):
+    """1 mm, 10 µm, 1 nm."""
+    for unit, size in (("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9), ("pm", 1e-12)):
+        if metres >= 0.9995 * size:
+            return f"{metres / size:.3g} {unit}"
+    return f"{metres:.0e} m"
+
+
+def time_text(seconds):
+    """12 s, 35 ms, 0.4 ms."""
+    if seconds >= 0.9995:
+        return f"{seconds:.0f} s" if seconds >= 9.95 else f"{seconds:.2g} s"
+    return f"{seconds * 1e3:.0f} ms" if seconds >= 0.00995 else f"{seconds * 1e3:.2g} ms"
