@@ -22,12 +22,13 @@ class Axis:
     """Where the lines of a table lie in [0, 1]: evenly between knots, beyond which nothing is smooth.
 
     knots: ascending, within (0, 1). fineness: the number of intervals as a multiple of the usual one.
+    intervals: how many there are without knots; a flat face needs no more than the fewest.
     """
 
-    def __init__(self, knots=(), fineness=1):
+    def __init__(self, knots=(), fineness=1, intervals=INTERVALS):
         ends = np.array([0.0, *knots, 1.0])
         widths = np.diff(ends)
-        counts = fineness * np.maximum(FEWEST, 2 * np.ceil(INTERVALS * widths / 2 - 1e-9).astype(int))
+        counts = fineness * np.maximum(FEWEST, 2 * np.ceil(intervals * widths / 2 - 1e-9).astype(int))
         first = np.concatenate([[0], np.cumsum(counts)[:-1]])
         self.lines = np.concatenate(
             [*(np.linspace(a, b, n, endpoint=False) for a, b, n in zip(ends, ends[1:], counts)), [1.0]]

@@ -11,7 +11,7 @@ import Part
 
 import funicular as fn
 
-from .arc_lengths import Axis, Table
+from .arc_lengths import FEWEST, Axis, Table
 
 # How far a share of arc length may be from the one that is asked for: sought, and at most.
 SHARE_ERROR = 1e-6
@@ -118,7 +118,7 @@ def _limits(face, name):
 
 
 def _chart(face, name, point, measure, knots):
-    axes = [Axis(of_one) for of_one in knots]
+    axes = [Axis(intervals=FEWEST)] * 2 if knots is None else [Axis(of_one) for of_one in knots]
     points = _grid(point, *axes)
     if not np.isfinite(points).all():
         raise fn.InvalidInput(
@@ -250,17 +250,21 @@ def sample(chart, uv):
 
 
 def _on_plane(origin, along, across):
-    """(point, measure, inner knots) as _on_surface, of the rectangle between two vectors from a corner."""
+    """(point, measure, knots) as _on_surface, of the rectangle of two vectors from a corner: without knots."""
 
     def on_plane(a, b):
         return origin + np.outer(a, along) + np.outer(b, across)
 
-    return on_plane, None, ((), ())
+    return on_plane, None, None
 
 
 def _on_surface(surface, limits):
     """(point, measure) as in a Chart, and the inner knots along u and along v, in (0, 1)."""
     u_first, u_last, v_first, v_last = limits
+    if isinstance(surface, Part.Plane):
+        corners = (u_first, v_first), (u_last, v_first), (u_first, v_last)
+        origin, along, across = (np.array(tuple(surface.value(*corner))) for corner in corners)
+        return _on_plane(origin, along - origin, across - origin)
 
     def on_surface(a, b):
         us = (u_first + (u_last - u_first) * a).tolist()
