@@ -250,7 +250,7 @@ def sample(chart, uv):
 
 
 def _on_plane(origin, along, across):
-    """(point, measure, knots) as _on_surface, of the rectangle of two vectors from a corner: without knots."""
+    """(point, measure, knots) as _on_surface, of the rectangle of two vectors from a corner: no knots."""
 
     def on_plane(a, b):
         return origin + np.outer(a, along) + np.outer(b, across)
