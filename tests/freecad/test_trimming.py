@@ -52,10 +52,11 @@ def test_a_net_is_one_whole(kind, pattern):
         directed = sides(net.panels)
         members = {tuple(sorted(member)) for member in net.members.tolist()}
         edges = {tuple(sorted(side)) for side in directed}
-        assert len(directed) == len(set(directed)), "panels are not all round the same way"
+        there = set(directed)
+        assert len(directed) == len(there), "panels are not all round the same way"
         assert len(members) == len(net.members) and members == edges
         assert len(net.nodes) - len(edges) + len(net.panels) == 1 - openings - 2 * handles
-        alone = {side for side in directed if side[::-1] not in set(directed)}
+        alone = {side for side in directed if side[::-1] not in there}
         along = {(int(rim[k - 1]), int(rim[k])) for rim in net.rims for k in range(len(rim))}
         assert along == alone and len(net.rims) == 1 + openings
         numeric = fn.Net(net.nodes * 1e-3, net.members, net.panels)
