@@ -101,6 +101,7 @@ def test_a_sketch_like_object_of_edges_becomes_a_gridshell(document):
     select(lines)
     run_command()
     assert result_line().startswith("✔"), result_line()
+    assert "where edges cross" in result_line(), "the net's remarks are told too"
     assert document.Net.PanelCount == 16
     press("Ok")
 

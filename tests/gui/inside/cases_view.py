@@ -328,7 +328,9 @@ def test_picture_of_an_error_in_the_panel(document, pictures):
     assert wait_for_result().startswith("✖")
     settle(20)
     line = panel_box("ResultLine")
-    assert line.width() <= line.parentWidget().width() and line.sizeHint().height() <= line.height() + 2
+    assert (
+        line.width() <= line.parentWidget().width() and line.heightForWidth(line.width()) <= line.height() + 2
+    )
     path = pictures / "error.png"
     assert Gui.getMainWindow().screen().grabWindow(0).save(str(path))
     corner = line.mapToGlobal(line.rect().topLeft())

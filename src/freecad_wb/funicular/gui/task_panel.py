@@ -45,8 +45,8 @@ class ResultLine(QtWidgets.QLabel):
         self.setWordWrap(True)
         self.setTextFormat(QtCore.Qt.PlainText)
         self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        # Room for three lines, so that the inputs below do not jump, and as narrow as the panel's own width.
-        self.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
+        # Room for three lines or more, so that inputs below seldom jump, and as narrow as the panel is.
+        self._make_room()
         self.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.MinimumExpanding)
         self.setAlignment(QtCore.Qt.AlignTop | QtCore.Qt.AlignLeft)
 
@@ -55,6 +55,16 @@ class ResultLine(QtWidgets.QLabel):
         window = self.palette().color(QtGui.QPalette.Window)
         self.setStyleSheet(f"color: {on_light if window.lightness() > 127 else on_dark}")
         self.setText(f"{symbol} {sentence}")
+        self._make_room()
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        self._make_room()
+
+    def _make_room(self):
+        """A panel that scrolls gives a label no more height than it insists on."""
+        lines = 3 * self.fontMetrics().lineSpacing()
+        self.setMinimumHeight(max(lines, self.heightForWidth(self.width())))
 
 
 class Heading(QtWidgets.QLabel):
@@ -314,15 +324,19 @@ class GridshellPanel:
                 kept = "" if self._shell.Shape.isNull() else " " + translate("(The last good shape stays.)")
                 self.line.say(WRONG, obj.getStatusString() + self._remedy(obj) + kept)
                 return
+        sentence = result_line(self._shell)
+        if self._shell.Net is not None and self._shell.Net.Remarks:
+            # What came out otherwise than it was asked for.
+            sentence += ". " + self._shell.Net.Remarks
         if self._shell.Status != "converged":
-            self.line.say(WRONG, result_line(self._shell))
+            self.line.say(WRONG, sentence)
         elif not self._shell.CompressionOnly:
-            self.line.say(DOUBTFUL, result_line(self._shell))
+            self.line.say(DOUBTFUL, sentence)
         else:
-            self.line.say(GOOD, result_line(self._shell))
+            self.line.say(GOOD, sentence)
 
     def _remedy(self, obj):
-        if obj == self._shell or "Source" not in obj.getStatusString():
+        if obj == self._shell or "pick" not in obj.getStatusString():
             return ""
         return translate(". Select another face and press “Use selected faces”.")
 
