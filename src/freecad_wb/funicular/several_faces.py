@@ -11,7 +11,7 @@ import numpy as np
 
 import funicular as fn
 
-from . import surface
+from . import surface, topology
 from .lattices import ACROSS, lattice_on
 from .laying import Laid, cells_of, place, refuse_pinches
 
@@ -192,10 +192,9 @@ def _changed(parts, wanted):
 def _welded(parts, shared, division, remarks):
     """The Laid net of all parts, whose nodes on shared edges become one."""
     starts = np.cumsum([0] + [len(part.nodes) for part in parts])
-    same = np.arange(starts[-1])
     limit = SAME_NODE * min(_shortest(part) for part in parts)
     turned = {0: False}
-    pairs = {}
+    pairs, met = {}, [np.empty((0, 2), dtype=int)]
     for edge, (one, side), (other, across) in shared:
         mine, yours = _on_side(parts[one], side, division), _on_side(parts[other], across, division)
         forwards = _matches(parts[one].nodes[mine], parts[other].nodes[yours], limit)
@@ -206,11 +205,8 @@ def _welded(parts, shared, division, remarks):
                 f"Edge{edge} ({len(mine)} and {len(yours)} of them): choose another Pattern, such as Quad"
             )
         pairs[edge] = mine, yours if forwards else yours[::-1]
-        for a, b in zip(starts[one] + mine, starts[other] + pairs[edge][1]):
-            low, high = sorted((_root(same, a), _root(same, b)))
-            same[high] = low
-    roots = np.array([_root(same, node) for node in range(len(same))])
-    kept, number = np.unique(roots, return_inverse=True)
+        met.append(np.column_stack([starts[one] + mine, starts[other] + pairs[edge][1]]))
+    kept, number = np.unique(topology.parts(starts[-1], np.vstack(met)), return_inverse=True)
     for at, step in _walk(len(parts), shared).items():
         if step is not None:
             turned[at] = _runs_alike(parts, step, at, pairs, shared) ^ turned[step[1]]
@@ -237,13 +233,6 @@ def _on_side(part, side, division):
 
 def _matches(points, others, limit):
     return len(points) == len(others) and bool((np.linalg.norm(points - others, axis=1) <= limit).all())
-
-
-def _root(same, node):
-    while same[node] != node:
-        same[node] = same[same[node]]
-        node = same[node]
-    return int(node)
 
 
 def _runs_alike(parts, step, at, pairs, shared):

@@ -159,21 +159,15 @@ class SupportCommand:
         except WrongSelection as error:
             show_message(str(error))
             return
-        document = shell.Document
-        document.openTransaction(translate("Support"))
-        try:
-            support = make_support(document, shell, **at_picks(shell, *picks))
-            document.recompute()
-            if not support.isValid():
-                raise ValueError(support.getStatusString())
-        except Exception as error:
-            document.abortTransaction()
-            show_message(str(error))
-            return
-        document.commitTransaction()
-        # Its properties are what is wanted next.
-        FreeCADGui.Selection.clearSelection()
-        FreeCADGui.Selection.addSelection(support)
+        support = _made_in_one_step(
+            shell.Document,
+            translate("Support"),
+            lambda: make_support(shell.Document, shell, **at_picks(shell, *picks)),
+        )
+        if support is not None:
+            # Its properties are what is wanted next.
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addSelection(support)
 
 
 class CoveringCommand:
@@ -208,19 +202,26 @@ class CoveringCommand:
         except WrongSelection as error:
             show_message(str(error))
             return
-        document = shell.Document
-        document.openTransaction(translate("Covering"))
-        try:
-            covering = make_covering(document, shell)
-            document.recompute()
-            if not covering.isValid():
-                raise ValueError(covering.getStatusString())
-        except Exception as error:
-            # As with a gridshell: no half of an object stays behind, and the user reads why.
-            document.abortTransaction()
-            show_message(str(error))
-            return
-        document.commitTransaction()
+        _made_in_one_step(shell.Document, translate("Covering"), lambda: make_covering(shell.Document, shell))
+
+
+def _made_in_one_step(document, title, make):
+    """What `make` adds, recomputed, in one undo step; None, and a message, where it comes to nothing."""
+    from funicular.gui.task_panel import show_message
+
+    document.openTransaction(title)
+    try:
+        made = make()
+        document.recompute()
+        if not made.isValid():
+            raise ValueError(made.getStatusString())
+    except Exception as error:
+        # As with a gridshell: no half of an object stays behind, and the user reads why.
+        document.abortTransaction()
+        show_message(str(error))
+        return None
+    document.commitTransaction()
+    return made
 
 
 def _make(document, source, net):
