@@ -63,7 +63,11 @@ def lay_on_face(face, name, division):
     """The Laid net on one face, trimmed or not. Raises InvalidInput naming the face or the step."""
     if surface.is_trimmed(face, name) or division.angle or any(division.offset):
         return _lay_on_trimmed(face, name, division)
-    chart = surface.read_face(face, name)
+    return lay_on_chart(surface.read_face(face, name), name, division)
+
+
+def lay_on_chart(chart, name, division):
+    """The Laid net on all of the rectangle of a chart. Raises InvalidInput naming the step or the face."""
     wanted = cells_of(chart, division)
     closed = chart.closed_u, chart.closed_v
     lattice, uv = lattice_on(wanted, closed, chart.poles, division.pattern, division.swapped)

@@ -67,12 +67,12 @@ def read_face(face, name="the face"):
     """
     limits = _limits(face, name)
     if _fills_rectangle(face, limits):
-        return _chart(face, name, *_on_surface(face.Surface, limits))
+        return make_chart(face.Area, name, *_on_surface(face.Surface, limits))
     corners = _rectangle_corners(face)
     if corners is None:
         raise fn.InvalidInput(f"{name} {TRIMMED}")
     origin, along, _, across = corners
-    return _chart(face, name, *_on_plane(origin, along - origin, across - origin))
+    return make_chart(face.Area, name, *_on_plane(origin, along - origin, across - origin))
 
 
 def is_trimmed(face, name="the face"):
@@ -95,7 +95,7 @@ def read_rectangle(face, name="the face"):
     surface = face.Surface
     if not isinstance(surface, Part.Plane):
         low, span = np.array(limits[::2]), np.array(limits[1::2]) - limits[::2]
-        chart = _chart(face, name, *_on_surface(surface, limits))
+        chart = make_chart(face.Area, name, *_on_surface(surface, limits))
         return chart, lambda uv: (uv - low) / span
 
     axes = _plane_axes(face)
@@ -104,7 +104,7 @@ def read_rectangle(face, name="the face"):
     origin, along, across = (
         np.array(tuple(surface.value(*at))) for at in (low @ axes.T, *((low + np.diag(span)) @ axes.T))
     )
-    chart = _chart(face, name, *_on_plane(origin, along - origin, across - origin))
+    chart = make_chart(face.Area, name, *_on_plane(origin, along - origin, across - origin))
     return chart, lambda uv: (uv @ axes - low) / span
 
 
@@ -117,7 +117,12 @@ def _limits(face, name):
     return limits
 
 
-def _chart(face, name, point, measure, knots):
+def make_chart(area, name, point, measure, knots):
+    """The Chart of a map from the unit square. area: of the surface [mm²]; name: how errors call it.
+
+    knots: ascending in (0, 1), along u and along v, between which the map is smooth; None for a flat one.
+    measure: as in a Chart. Raises InvalidInput for points that are not finite and for zero area.
+    """
     axes = [Axis(intervals=FEWEST)] * 2 if knots is None else [Axis(of_one) for of_one in knots]
     points = _grid(point, *axes)
     if not np.isfinite(points).all():
@@ -127,7 +132,7 @@ def _chart(face, name, point, measure, knots):
     size = float(np.linalg.norm(np.ptp(points.reshape(-1, 3), axis=0)))
     if (
         size == 0.0
-        or abs(face.Area) <= COINCIDENT**2 * size**2
+        or abs(area) <= COINCIDENT**2 * size**2
         or _area(points) <= COINCIDENT * size**2
     ):
         raise fn.InvalidInput(f"{name} has no area: pick a face that spans a surface")

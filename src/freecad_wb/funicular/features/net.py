@@ -1,42 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The Net in the document: a source and how it is divided; its shape is the net before relaxation."""
 
-from dataclasses import replace
-
 import FreeCAD as App
 import Part
 import numpy as np
 
 import funicular as fn
 
-from ..chebyshev import equal_length_net
 from ..edits import Edits, Places, edited
 from ..lattices import lattice_on
-from ..laying import Division, Laid, chart_within_outline, lay_on_face
-from ..mesh_source import mesh_of, net_of_mesh, read_mesh_file
-from ..panels import areas
-from ..several_faces import lay_on_faces
-from ..wireframe import net_of_edges
-from .elements import kinds_of, nodes_on_elements, nodes_on_wires
-from .feature import Feature, amount
-from .net_properties import EQUAL_LENGTHS, FILE_UNITS, PATTERNS, PROPERTIES, SPACINGS
-from .source import Edges, File, Mesh, read_source
-
-# In mm: more than a kilometre is rather a wrong unit than a roof.
-LARGEST_LIKELY = 1e6
-
-# What a net of equal lengths has no use for, and the values at which nobody expects it.
-USED_ALONG_ISOLINES = {
-    "Pattern": "Quad",
-    "CountU": 0,
-    "CountV": 0,
-    "SwapUV": False,
-    "OffsetU": 0,
-    "OffsetV": 0,
-}
-
-# Less of a face than this is not what a net of whole cells leaves out along borders.
-MOST_OF_FACE = 0.85
+from .elements import kinds_of
+from .feature import Feature
+from .net_laying import lay
+from .net_properties import PATTERNS, PROPERTIES, pattern_of
+from .source import read_source
 
 # OCCT takes points within 1e-7 mm of each other for one.
 SHORTEST_EDGE = 1e-7
@@ -59,7 +36,7 @@ class Net(Feature):
 
     def compute(self, obj):
         source = read_source(obj)
-        laid, on_elements = _lay(obj, source)
+        laid, on_elements = lay(obj, source)
         laid, openings, numbers = edited(laid, _edits(obj), places_of(laid))
         _write(obj, laid)
         obj.NodeNumbers = numbers.tolist() if len(numbers) and (openings or laid.lattice is None) else []
@@ -74,70 +51,6 @@ class Net(Feature):
         obj.OpeningNodes = flat_panels(opening.nodes for opening in openings)
         obj.OpeningAreas = [opening.area for opening in openings]
         obj.SourceBody = getattr(source, "described", "")
-
-
-def _lay(obj, source):
-    """(Laid, {element of the source: its nodes}) on what a Net lies on."""
-    if isinstance(source, Mesh):
-        return _of(net_of_mesh(*mesh_of(source.obj, source.name, source.place), source.name, _weld(obj))), {}
-    if isinstance(source, File):
-        try:
-            points, facets, lines = read_mesh_file(source.path)
-        except OSError as error:
-            raise fn.InvalidInput(
-                f"File {source.path} cannot be read ({error.strerror}): choose another"
-            ) from None
-        points = points * (FILE_UNITS[obj.FileUnit] / FILE_UNITS["m"])
-        laid = _of(net_of_mesh(points, facets, f"File {source.path}", _weld(obj), lines))
-        return replace(laid, remarks=(*laid.remarks, *_remarks_on_size(laid.nodes, obj.FileUnit))), {}
-    if isinstance(source, Edges):
-        chord = amount(obj, "Chord", "mm") or None
-        wires = net_of_edges(source.shapes, source.name, chord)
-        laid = _of(wires)
-        if chord is None and _has_curves(source.shapes):
-            laid = replace(
-                laid, remarks=(*laid.remarks, "curved edges are one straight member each: set Chord")
-            )
-        return laid, nodes_on_wires(source, wires)
-    division = _division(obj)
-    if len(source.faces) > 1 and (division.angle or any(division.offset)):
-        raise fn.InvalidInput(
-            "Angle, OffsetU and OffsetV turn and shift the pattern on one face; on several set them to 0"
-        )
-    if obj.Laying == EQUAL_LENGTHS:
-        laid = _of_equal_lengths(obj, source, division.step_u)
-    elif len(source.faces) == 1:
-        laid = lay_on_face(source.faces[0], source.names[0], division)
-    else:
-        laid = lay_on_faces(source, division)
-    return laid, nodes_on_elements(source.body, source.faces, laid.nodes)
-
-
-def _of_equal_lengths(obj, source, step):
-    if len(source.faces) > 1:
-        raise fn.InvalidInput(
-            "Laying: a net of equal lengths lies on one face; pick a single one, or lay along isolines"
-        )
-    chart, inside = chart_within_outline(source.faces[0], source.names[0], step)
-    made = equal_length_net(
-        chart,
-        step,
-        (obj.Start.x, obj.Start.y),
-        obj.Angle.Value,
-        obj.Crossing.Value,
-        obj.MostShear.Value,
-        inside,
-    )
-    panels = tuple(tuple(panel) for panel in made.panels.tolist())
-    closed = chart.closed_u, chart.closed_v
-    remarks = [remark.rstrip(".") for remark in made.remarks]
-    ignored = [name for name, plain in USED_ALONG_ISOLINES.items() if getattr(obj, name) != plain]
-    if ignored:
-        remarks.append(f"Equal lengths takes StepU alone: {', '.join(ignored)} is not used")
-    covered = float(areas(made.nodes, panels).sum()) / source.faces[0].Area
-    if covered < MOST_OF_FACE:
-        remarks.append(f"the net covers {100 * covered:.0f} % of the face")
-    return Laid(made.nodes, made.members, panels, closed=closed, remarks=tuple(remarks), uv=made.uv)
 
 
 def _edits(obj):
@@ -173,49 +86,6 @@ def places_of(laid):
     return Places(laid.uv, laid.closed, laid.poles)
 
 
-def _remarks_on_size(nodes, unit):
-    size = float(np.linalg.norm(np.ptp(nodes, axis=0)))
-    if size > LARGEST_LIKELY:
-        yield f"the file measures {size / 1e6:.3g} km in {unit}: if it is in another unit, set FileUnit"
-
-
-def _has_curves(shapes):
-    return any(
-        not isinstance(edge.Curve, (Part.Line, Part.LineSegment)) for each in shapes for edge in each.Edges
-    )
-
-
-def _weld(obj):
-    return amount(obj, "Weld", "mm") or None
-
-
-def _of(made):
-    """The Laid net of a MeshNet or a WireNet."""
-    return Laid(
-        made.nodes,
-        made.members,
-        made.panels,
-        remarks=tuple(remark.rstrip(".") for remark in made.remarks),
-    )
-
-
-def _division(obj):
-    for name in ("CountU", "CountV"):
-        if getattr(obj, name) < 0:
-            raise fn.InvalidInput(f"{name} is {getattr(obj, name)} cells: give 0 (none) or more")
-    return Division(
-        amount(obj, "StepU", "mm"),
-        amount(obj, "StepV", "mm"),
-        _name_of(obj.Pattern),
-        obj.CountU,
-        obj.CountV,
-        obj.SwapUV,
-        obj.Spacing == SPACINGS[1],
-        obj.Angle.Value,
-        (obj.OffsetU, obj.OffsetV),
-    )
-
-
 def _write(obj, laid):
     # The shape first: it is what may fail, and then no number has changed.
     obj.Shape = edges_of(laid.nodes, laid.members)
@@ -245,7 +115,7 @@ def net_of(obj):
         (obj.ClosedU, obj.ClosedV),
         obj.Poles,
         # Files of before hold no other pattern than the first.
-        _name_of(obj.SampledPattern or PATTERNS[0]),
+        pattern_of(obj.SampledPattern or PATTERNS[0]),
         obj.SampledSwap,
     )
     return lattice.net(nodes)
@@ -287,10 +157,6 @@ def panels_of(numbers):
         panels.append(tuple(numbers[start + 1 : end]))
         start = end
     return tuple(panels)
-
-
-def _name_of(pattern):
-    return pattern.lower().replace(" ", "_")
 
 
 def to_vectors(points):

@@ -110,6 +110,13 @@ PROPERTIES = (
         "App::PropertyEnumeration", "FileUnit", "Mesh", "Unit of the lengths in File", "m", tuple(FILE_UNITS)
     ),
     Property(
+        "App::PropertyBool",
+        "Resampled",
+        "Mesh",
+        "Lay the pattern over the mesh of File by its UV coordinates, instead of taking its own edges",
+        False,
+    ),
+    Property(
         "App::PropertyLength",
         "Weld",
         "Mesh",
@@ -199,3 +206,8 @@ PROPERTIES = (
         )
     ),
 )
+
+
+def pattern_of(name):
+    """The name in fn.patterns() of one of PATTERNS."""
+    return name.lower().replace(" ", "_")

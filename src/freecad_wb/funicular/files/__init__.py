@@ -61,14 +61,27 @@ def read_parts(path):
     return _read(path).parts()
 
 
-def _read(path):
+def read_textured(path):
+    """Read a mesh and its UV coordinates: of .obj files only; of others there are none.
+
+    Returns vertices and faces as `read_parts`, uvs : (k, 2) float64 array, and face_uvs : for each face a
+    tuple of numbers of uvs, or None. Raises as `read_mesh` does.
+    """
+    form = _format_of(path)
+    source = _read(path, **({"with_uv": True} if form is obj else {}))
+    vertices, _, faces = source.parts()
+    uvs, face_uvs = source.textured()
+    return vertices, faces, uvs, face_uvs or [None] * len(faces)
+
+
+def _read(path, **options):
     form = _format_of(path)
     with open(path, "rb") as file:
         content = file.read()
     source = Source(path)
     if not content.strip():
         raise source.error("the file is empty")
-    form.read(source, content)
+    form.read(source, content, **options)
     return source
 
 

@@ -2,12 +2,17 @@
 """OBJ: https://www.loc.gov/preservation/digital/formats/fdd/fdd000507.shtml"""
 
 
-def read(source, content):
+def read(source, content, with_uv=False):
+    """Reads vertices, lines and faces, and UV coordinates where they are asked for: else no care is taken."""
     for keyword, *words in source.text_lines(content, continued=True):
         if keyword == "v":
             source.add_node(words)
+        elif keyword == "vt" and with_uv:
+            source.add_uv(words)
         elif keyword == "f":
             source.add_face([_index(source, word) for word in words])
+            if with_uv:
+                source.face_uvs.append(_uv_indices(source, words))
         elif keyword == "l":
             if len(words) < 2:
                 raise source.error("a line has at least 2 vertices")
@@ -15,11 +20,24 @@ def read(source, content):
 
 
 def _index(source, word):
-    """OBJ counts from 1, and below zero backwards from the latest vertex; of v/vt/vn only v matters."""
-    index = source.whole(word.split("/")[0], "a vertex index")
-    if index == 0 or index < -len(source.nodes):
-        raise source.error(f"vertex index {index} is out of range: OBJ counts from 1, or from -1 backwards")
-    return index - 1 if index > 0 else len(source.nodes) + index
+    """The vertex of v/vt/vn."""
+    return _counted(source, word.split("/")[0], "vertex", len(source.nodes))
+
+
+def _uv_indices(source, words):
+    """The UV coordinates of a face, None unless all of its corners have some."""
+    named = [word.split("/")[1:2] for word in words]
+    if not all(each and each[0] for each in named):
+        return None
+    return tuple(_counted(source, each[0], "texture", len(source.uvs)) for each in named)
+
+
+def _counted(source, word, what, count):
+    """OBJ counts from 1, and below zero backwards from the latest."""
+    index = source.whole(word, f"a {what} index")
+    if index == 0 or index < -count:
+        raise source.error(f"{what} index {index} is out of range: OBJ counts from 1, or from -1 backwards")
+    return index - 1 if index > 0 else count + index
 
 
 def write(path, nodes, members, panels):

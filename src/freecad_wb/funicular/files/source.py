@@ -16,6 +16,9 @@ class Source:
         self.node_places = []
         self.lines = []
         self.faces = []
+        # Where they are asked for: (u, v), and of each face the numbers of its corners' or None.
+        self.uvs = []
+        self.face_uvs = []
 
     def error(self, message, place=None):
         place = self.place if place is None else place
@@ -71,6 +74,11 @@ class Source:
     def add_line(self, indices):
         self.lines.extend((self.place, pair) for pair in zip(indices, indices[1:]))
 
+    def add_uv(self, words):
+        if len(words) < 2:
+            raise self.error(f"texture {len(self.uvs)} has {len(words)} coordinates instead of 2")
+        self.uvs.append([self.real(word) for word in words[:2]])
+
     def add_face(self, indices):
         if len(indices) < 3:
             raise self.error(f"face {len(self.faces)} has {len(indices)} corners: at least 3 are needed")
@@ -93,6 +101,21 @@ class Source:
             for number, (place, indices) in enumerate(entries):
                 self.check_indices(f"{kind} {number}", place, indices)
         return nodes, [line for _, line in self.lines], [face for _, face in self.faces]
+
+    def textured(self):
+        """Check the UV coordinates: (k, 2) of them, and those of each face, by number, or None."""
+        uvs = np.array(self.uvs, dtype=np.float64).reshape(-1, 2)
+        bad = np.flatnonzero(~np.isfinite(uvs).all(axis=1))
+        if bad.size:
+            raise self.error(f"texture {bad[0]} has a coordinate that is not finite: {uvs[bad[0]]}")
+        for number, ((place, _), corners) in enumerate(zip(self.faces, self.face_uvs)):
+            for index in corners or ():
+                if index >= len(uvs):
+                    raise self.error(
+                        f"face {number} names texture {index} (counted from 0), but the file has {len(uvs)}",
+                        place,
+                    )
+        return uvs, self.face_uvs
 
     def finite_nodes(self):
         nodes = np.array(self.nodes, dtype=np.float64).reshape(-1, 3)
