@@ -24,7 +24,9 @@ enum class Pattern {
     hexagon,
     kagome, ///< triangles between hexagons
     ribs_u, ///< members along u alone
-    ribs_v
+    ribs_v,
+    zigzag, ///< quads split from their first corner and from their second, row by row
+    brick   ///< rows whose cross members stand half a cell apart
 };
 
 /// \throws InvalidInput that lists the patterns there are.

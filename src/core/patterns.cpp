@@ -85,6 +85,9 @@ void lay_other_diagonal(PatternGrid &grid) {
 void lay_alternating(PatternGrid &grid) {
     lay_split_quads(grid, [](Index p, Index q) { return (p + q) % 2 != 0; });
 }
+void lay_zigzag(PatternGrid &grid) {
+    lay_split_quads(grid, [](Index, Index q) { return q % 2 != 0; });
+}
 
 /// Both diagonals, which pass each other without a joint.
 void lay_crossed(PatternGrid &grid) {
@@ -191,14 +194,14 @@ void lay_triangles(PatternGrid &grid) {
     }
 }
 
-/// Honeycomb: rows in zigzag, joined where one comes near the next; straight along the border.
-void lay_hexagons(PatternGrid &grid) {
+/// Rows with posts between them that are joined by turns, half a cell apart from row to row. Each point of a
+/// row stands off it by `rise`, to the side of its post; rows along the border are straight.
+void lay_rows_and_posts(PatternGrid &grid, double rise) {
     const auto rises = [](Index p, Index q) { return (p + q) % 2 == 0; };
     for (Index q = 0; q < grid.rows(); ++q)
         for (Index p = 0; p < grid.columns(); ++p) {
             const bool straight = !grid.closed_v() && (q == 0 || q == grid.last_v());
-            // Members all have one length if a zigzag is a third of the distance of two rows.
-            grid.place(p, q, straight ? 0 : rises(p, q) ? 1.0 / 6 : -1.0 / 6);
+            grid.place(p, q, straight ? 0 : rises(p, q) ? rise : -rise);
         }
     lay_lines_along_u(grid);
     for (Index q = 0; q < grid.last_v(); ++q) {
@@ -221,6 +224,15 @@ void lay_hexagons(PatternGrid &grid) {
             grid.add_panel(around);
         }
     }
+}
+
+/// Honeycomb; members all have one length if a zigzag is a third of the distance of two rows.
+void lay_hexagons(PatternGrid &grid) {
+    lay_rows_and_posts(grid, 1.0 / 6);
+}
+
+void lay_bricks(PatternGrid &grid) {
+    lay_rows_and_posts(grid, 0);
 }
 
 /// Triangles between hexagons: every second row is full, of those between every second node stands, by turns.
@@ -283,6 +295,8 @@ constexpr PatternRule rules[] = {
     {Pattern::kagome, "kagome", 4, 2, 2, root3, 1, 2, lay_kagome},
     {Pattern::ribs_u, "ribs_u", 1, 1, 1, 1, 1, 1, lay_ribs_u},
     {Pattern::ribs_v, "ribs_v", 1, 1, 1, 1, 1, 1, lay_ribs_v},
+    {Pattern::zigzag, "zigzag", 1, 1, 1, 1, 1, 2, lay_zigzag},
+    {Pattern::brick, "brick", 2, 1, 2, 1, 1, 2, lay_bricks},
 };
 
 } // namespace

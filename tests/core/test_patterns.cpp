@@ -177,7 +177,8 @@ TEST_P(Patterns, HaveTheirValencesInside) {
     const std::map<std::string, std::set<int>> valences{
         {"quad", {4}},    {"diagonal", {6}},   {"other_diagonal", {6}}, {"alternating", {4, 8}},
         {"crossed", {8}}, {"centred", {4, 8}}, {"diagrid", {4}},        {"triangle", {6}},
-        {"hexagon", {3}}, {"kagome", {4}},     {"ribs_u", {2}},         {"ribs_v", {2}}};
+        {"hexagon", {3}}, {"kagome", {4}},     {"ribs_u", {2}},         {"ribs_v", {2}},
+        {"zigzag", {6}},  {"brick", {3}}};
     const Lattice lattice({pattern_from_name(GetParam()), 6, 8, false, false, {}});
     std::map<Index, int> valence;
     for (const auto &[a, b] : lattice.members()) {
@@ -200,8 +201,8 @@ TEST_P(Patterns, AreLaidOnASheetWithMembersOfTheStep) {
     EXPECT_EQ(net->lattice()->recipe().cells_u, 6);
     EXPECT_EQ(net->lattice()->recipe().cells_v, 8);
     const bool has_diagonals =
-        std::set<std::string>{"diagonal", "other_diagonal", "alternating", "crossed", "centred"}.contains(
-            GetParam());
+        std::set<std::string>{"diagonal", "other_diagonal", "alternating", "zigzag", "crossed", "centred"}
+            .contains(GetParam());
     const std::vector<Index> border = net->border();
     const auto is_inside = [&border](Index node) {
         return !std::binary_search(border.begin(), border.end(), node);
@@ -237,10 +238,12 @@ TEST(Pattern, RepeatsWholeInAClosedDirection) {
     EXPECT_EQ(Lattice({Pattern::triangle, 5, 5, true, true, {}}).recipe().cells_u, 5);
     EXPECT_EQ(Lattice({Pattern::alternating, 5, 4, true, false, {}}).recipe().cells_u, 6);
     EXPECT_EQ(Lattice({Pattern::kagome, 5, 5, false, false, {}}).recipe().cells_v, 5);
+    EXPECT_EQ(Lattice({Pattern::brick, 5, 5, false, true, {}}).recipe().cells_v, 6);
+    EXPECT_EQ(Lattice({Pattern::zigzag, 5, 5, false, true, {}}).recipe().cells_v, 6);
 }
 
 TEST(Pattern, IsNamedInTheListOfThoseThereAre) {
-    expect_invalid([] { (void)pattern_from_name("zigzag"); }, {"zigzag", "quad", "kagome", "ribs_v"});
+    expect_invalid([] { (void)pattern_from_name("spiral"); }, {"spiral", "quad", "kagome", "ribs_v"});
 }
 
 } // namespace

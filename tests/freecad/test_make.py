@@ -104,7 +104,7 @@ def test_every_property_has_a_group_and_a_tooltip(doc, box):
         ({"MaxSeconds": np.inf}, "MaxSeconds = inf does not do: give a finite number"),
         ({"MemberWeight": "heavy"}, "MemberWeight = 'heavy' does not do"),
         ({"CoveringWeight": "3 kg/m"}, "CoveringWeight = '3 kg/m' does not do.*such as '30 kg/m.2'"),
-        ({"Pattern": "Zigzag"}, "Pattern = 'Zigzag' does not do: .*there are Quad"),
+        ({"Pattern": "Spiral"}, "Pattern = 'Spiral' does not do: .*there are Quad"),
         (
             {"SupportRecipe": "Everywhere"},
             "SupportRecipe = 'Everywhere' does not do: .*there are Boundary, Corners",

@@ -124,8 +124,8 @@ def test_lattice_of_a_dome():
     assert net.lattice is not None
     with pytest.raises(fn.InvalidInput, match="nodes has 3 rows"):
         lattice.net(np.zeros((3, 3)))
-    with pytest.raises(fn.InvalidInput, match="pattern 'zigzag'"):
-        fn.lattice(3, 3, pattern="zigzag")
+    with pytest.raises(fn.InvalidInput, match="pattern 'spiral'"):
+        fn.lattice(3, 3, pattern="spiral")
     with pytest.raises(fn.InvalidInput, match="left"):
         fn.lattice(3, 3, poles=["left"])
 

@@ -17,6 +17,8 @@ PATTERNS = (
     "Kagome",
     "Ribs u",
     "Ribs v",
+    "Zigzag",
+    "Brick",
 )
 
 ISOLINES, EQUAL_LENGTHS = "Along isolines", "Equal lengths"

@@ -7,7 +7,7 @@ from .qt import QtCore, QtGui, QtWidgets
 
 # Drawn larger than it is shown, so that it is sharp on a screen of any density.
 PIXELS, MARGIN = 96, 5
-CELLS = {"kagome": 2, "hexagon": 3, "triangle": 3}
+CELLS = {"kagome": 2}
 
 
 def pattern_icon(pattern):
