@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "coarse_start.hpp"
 
+#include "coarser_scene.hpp"
 #include "errors.hpp"
 
-#include <array>
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace funicular {
@@ -21,43 +20,6 @@ constexpr int most_steps_of_stage = 200;
 constexpr int most_steps_from_coarse_shape = 60;
 constexpr double most_growth = 100; // in the scene's own units, in which the net has a size of about one
 
-PointLoad at_nodes(std::vector<Index> nodes, const Vector3 &force) {
-    return {.nodes = std::move(nodes), .force = force};
-}
-
-/// Loads on nodes that are left out pass to those beside them.
-void pass_on(const std::vector<PointLoad> &loads, const Coarsening &coarsening,
-             std::vector<EffectDescription> &effects) {
-    std::map<Index, Vector3> forces;
-    for (const PointLoad &load : loads)
-        for (const Index node : load.nodes)
-            for (const auto &[parent, part] : coarsening.parents(node))
-                forces.try_emplace(parent, Vector3::Zero()).first->second += part * load.force;
-    std::map<std::array<double, 3>, std::vector<Index>> nodes_by_force;
-    for (const auto &[node, force] : forces)
-        nodes_by_force[{force[0], force[1], force[2]}].push_back(node);
-    for (auto &[force, nodes] : nodes_by_force)
-        effects.emplace_back(at_nodes(std::move(nodes), Vector3(force.data())));
-}
-
-std::vector<EffectDescription> passed_on(const std::vector<EffectDescription> &effects,
-                                         const LatticeLevel &level) {
-    std::vector<EffectDescription> passed;
-    std::vector<PointLoad> point_loads;
-    for (const auto &effect : effects) {
-        if (std::holds_alternative<AxialStiffness>(effect))
-            passed.emplace_back(level.stiffness);
-        else if (const auto *members = std::get_if<MemberWeight>(&effect))
-            passed.emplace_back(MemberWeight{.per_length = members->per_length, .lines = level.lines});
-        else if (const auto *load = std::get_if<PointLoad>(&effect))
-            point_loads.push_back(*load);
-        else
-            passed.push_back(effect);
-    }
-    pass_on(point_loads, level.coarsening, passed);
-    return passed;
-}
-
 /// The scene on each level, as far as it can be solved there.
 std::vector<std::shared_ptr<const Scene>> coarser_scenes(const Scene &scene, const CoarserLevels &levels) {
     std::vector<std::shared_ptr<const Scene>> scenes;
@@ -66,7 +28,7 @@ std::vector<std::shared_ptr<const Scene>> coarser_scenes(const Scene &scene, con
         const LatticeLevel &level = levels[k];
         if (level.net->node_count() < least_nodes)
             break;
-        effects = passed_on(effects, level);
+        effects = effects_on(level, effects);
         try {
             scenes.push_back(
                 std::make_shared<const Scene>(level.net, level.supports, effects, level.rest_lengths));

@@ -10,6 +10,13 @@ namespace {
 // A direction of fewer cells is left as it is.
 constexpr Index least_cells = 4;
 
+bool has_lines_along_u(const Lattice &lattice) {
+    return lattice.recipe().pattern != Pattern::ribs_v;
+}
+bool has_lines_along_v(const Lattice &lattice) {
+    return lattice.recipe().pattern != Pattern::ribs_u;
+}
+
 } // namespace
 
 LineMembers::LineMembers(const Lattice &lattice)
@@ -18,28 +25,31 @@ LineMembers::LineMembers(const Lattice &lattice)
       along_v_(static_cast<std::size_t>(lines_u_) * lattice.recipe().cells_v, -1) {
     // Members were laid in this order, those along u first.
     Index next = 0;
-    for (Index j = 0; j < lattice.lines_v(); ++j)
+    for (Index j = 0; has_lines_along_u(lattice) && j < lattice.lines_v(); ++j)
         for (Index i = 0; i < cells_u_; ++i)
             if (lattice.node_at(i, j) != lattice.node_at(i + 1, j))
                 along_u_[j * cells_u_ + i] = lattice.laid(next++);
-    for (Index j = 0; j < lattice.recipe().cells_v; ++j)
+    for (Index j = 0; has_lines_along_v(lattice) && j < lattice.recipe().cells_v; ++j)
         for (Index i = 0; i < lines_u_; ++i)
             if (lattice.node_at(i, j) != lattice.node_at(i, j + 1))
                 along_v_[j * lines_u_ + i] = lattice.laid(next++);
 }
 
 std::optional<Coarsening> Coarsening::of(const std::shared_ptr<const Lattice> &fine) {
-    if (!fine || fine->recipe().pattern != Pattern::quad)
+    if (!fine)
         return std::nullopt;
-    const auto thinned = [](Index cells, bool closed) {
-        const bool halved = cells >= (closed ? 2 : 1) * least_cells;
+    const Pattern pattern = fine->recipe().pattern;
+    if (pattern != Pattern::quad && pattern != Pattern::ribs_u && pattern != Pattern::ribs_v)
+        return std::nullopt;
+    const auto thinned = [](Index cells, bool closed, bool is_divided) {
+        const bool halved = is_divided && cells >= (closed ? 2 : 1) * least_cells;
         return Direction{.cells = cells,
                          .coarse_cells = halved ? (cells + 1) / 2 : cells,
                          .closed = closed,
                          .halved = halved};
     };
-    const Direction u = thinned(fine->recipe().cells_u, fine->recipe().closed_u);
-    const Direction v = thinned(fine->recipe().cells_v, fine->recipe().closed_v);
+    const Direction u = thinned(fine->recipe().cells_u, fine->recipe().closed_u, has_lines_along_u(*fine));
+    const Direction v = thinned(fine->recipe().cells_v, fine->recipe().closed_v, has_lines_along_v(*fine));
     if (!u.halved && !v.halved)
         return std::nullopt;
     return Coarsening(fine, u, v);

@@ -12,13 +12,13 @@
 
 namespace funicular {
 
-/// Members along the lines of a quad lattice, by where they stand.
+/// Members along the lines of a lattice of quads or ribs, by where they stand.
 class LineMembers {
 public:
     explicit LineMembers(const Lattice &lattice);
-    /// The member from (i, j) to (i + 1, j), or -1 along a pole.
+    /// The member from (i, j) to (i + 1, j), or -1 along a pole and across ribs.
     [[nodiscard]] Index along_u(Index i, Index j) const { return along_u_[j * cells_u_ + i]; }
-    /// The member from (i, j) to (i, j + 1), or -1 along a pole.
+    /// The member from (i, j) to (i, j + 1), or -1 along a pole and across ribs.
     [[nodiscard]] Index along_v(Index i, Index j) const { return along_v_[j * lines_u_ + i]; }
 
 private:
@@ -26,7 +26,8 @@ private:
     std::vector<Index> along_u_, along_v_;
 };
 
-/// A quad lattice with every second line left out, and how the two belong together.
+/// A lattice with every second line left out, and how the two belong together. Ribs are all kept: each is a
+/// member of its own, of which only the length is divided otherwise.
 class Coarsening {
 public:
     /// A node of the coarse lattice and its part in a node of the fine one.

@@ -5,6 +5,7 @@
 #include "scene.hpp"
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,15 @@ private:
     std::shared_ptr<const std::vector<LatticeLevel>> levels_;
     std::size_t first_ = 0;
 };
+
+/// The net of every second line of the scene's own; none if that has too few of them, or neither was made on
+/// a lattice of quads or of ribs nor is as if it were, or would fold onto itself.
+[[nodiscard]] std::optional<LatticeLevel> coarser_level(const Scene &scene);
+
+/// Values of the scene's members summed over those in a row that each member of a level stands for, the mean
+/// of lines side by side being taken by their stiffness.
+[[nodiscard]] Eigen::VectorXd summed_in_rows(const Scene &scene, const LatticeLevel &level,
+                                             const Eigen::VectorXd &values);
 
 /// Nets of every second, fourth, … line of the scene's, from the finest to the coarsest; none if the net
 /// neither was made on a quad lattice nor is as if it were. Ends before a net that would fold onto itself.

@@ -61,7 +61,7 @@ SCENES = {
 @pytest.mark.parametrize("name", SCENES)
 def test_what_is_told_is_never_half_of_what_is_true(name):
     scene = SCENES[name]()
-    study = fn.accuracy_study(scene, methods=("auto", "newton"))
+    study = fn.accuracy_study(scene, methods=("auto", "newton"), coarser=0)
     assert len(study.rows) == 10 and not study.cancelled
     rounding = 1e-11 * scene.net.size
     for row in study.rows:
@@ -72,7 +72,7 @@ def test_what_is_told_is_never_half_of_what_is_true(name):
 
 
 def test_tighter_is_never_less_accurate_and_every_method_arrives():
-    study = fn.accuracy_study(sheet(), accuracies=(1e-4, 1e-2, 1e-3))
+    study = fn.accuracy_study(sheet(), accuracies=(1e-4, 1e-2, 1e-3), coarser=0)
     for method in ("auto", "newton", "relaxation"):
         rows = [row for row in study.rows if row["method"] == method]
         assert [row["accuracy"] for row in rows] == [1e-2, 1e-3, 1e-4]
@@ -95,8 +95,23 @@ def test_it_can_be_ended_and_keeps_what_it_has():
 
 
 def test_a_limit_of_time_is_told_and_the_method_not_asked_for_more():
-    study = fn.accuracy_study(sheet(), methods=("relaxation", "auto"), max_seconds=0.0)
+    study = fn.accuracy_study(sheet(), methods=("relaxation", "auto"), max_seconds=0.0, coarser=0)
     assert [row["status"] for row in study.rows if row["method"] == "relaxation"] == ["time_limit"]
+
+
+def test_coarser_nets_are_studied_as_well_and_the_error_of_each_is_told():
+    net = fn.Net.grid(8, 6, 0.25)
+    scene = fn.Scene(net, [fn.Fixed(net.border)], [fn.AxialStiffness(1e6), fn.CoveringWeight(40.0)])
+    study = fn.accuracy_study(scene, accuracies=(1e-2, 1e-4), methods=("auto",))
+    steps = [row["step"] for row in study.rows]
+    assert steps == pytest.approx([0.25, 0.25, 0.5, 0.5, 1.0, 1.0])
+    assert study.rows_of_own_step() == study.rows[:2]
+    errors = [row["net_error"] for row in study.rows[::2]]
+    assert errors[0] == study.of_net.distance and errors == sorted(errors)
+    for row in study.rows:
+        assert row["true_error"] <= 2 * row["estimated_error"] + 1e-10, "each against its own net"
+    triangles = fn.accuracy_study(sheet(pattern="triangle"), accuracies=(1e-2,), methods=("auto",))
+    assert [row["net_error"] for row in triangles.rows] == [None] and triangles.of_net is None
 
 
 def test_the_file_holds_the_rows(tmp_path):

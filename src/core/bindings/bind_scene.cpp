@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coarser_scene.hpp"
 #include "convert.hpp"
 #include "length_matching.hpp"
 #include "scene.hpp"
@@ -245,6 +246,16 @@ Raises InvalidInput, naming the part and the first offending index; so for a con
             },
             py::arg("result"),
             R"(The scene with rest lengths r L / l', L the source length and l' the length in `result` (section 4.2).)")
+        .def(
+            "coarsened",
+            [](const Scene &self) {
+                auto [scene, kept] = coarser_scene(self);
+                return py::make_tuple(std::const_pointer_cast<Scene>(scene), read_only(kept));
+            },
+            R"(The scene as it would be with twice the step, for `net_error`, and (k,) the nodes of this one that it keeps.
+
+Every second line of a lattice of quads is left out, and every second node of ribs; members stand for those beside them.
+Raises InvalidInput for another net, one too coarse, and a support that no kept node stands for.)")
         .def("length_deviation", &length_deviation, py::arg("result"),
              "Root mean square over the members of (l' - L) / L.");
 }

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What accuracy costs in time: one scene solved to several accuracies by several methods, and measured.
 
-How far a shape is from equilibrium is told by the solver (`position_error`) and measured here against a shape
-that is solved as far as numbers go. Lengths are metres. Needs numpy; matplotlib for the picture alone.
+Two errors are told apart. How far a shape is from equilibrium is told by the solver (`position_error`) and
+measured here against a shape that is solved as far as numbers go. How far the net is from the smooth surface
+that it stands for is estimated on lattices, by nets of larger steps (`net_error`). Lengths are metres. Needs
+numpy; matplotlib for the picture alone.
 """
 
 import csv
@@ -12,6 +14,9 @@ import numpy as np
 
 import funicular as fn
 
+from .discretisation import coarser as nets_coarser_than
+from .discretisation import from_shapes, solved_far
+
 ACCURACIES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  # [m]
 METHODS = ("auto", "newton", "relaxation")
 
@@ -19,18 +24,17 @@ METHODS = ("auto", "newton", "relaxation")
 # that the solver tells holds.
 TOLERANCE = 1e-2
 
-# Of the shape that the others are measured against: accuracy relative to the net's size, and residual.
-REFERENCE_ACCURACY, REFERENCE_TOLERANCE = 1e-12, 1e-10
-
 # Columns of a row, in the order of the file; seconds are those in the solver.
 COLUMNS = (
     "method",
+    "step",
     "accuracy",
     "seconds",
     "iterations",
     "status",
     "estimated_error",
     "true_error",
+    "net_error",
     "residual",
     "compression_only",
 )
@@ -40,14 +44,22 @@ COLUMNS = (
 class Study:
     """What was measured so far.
 
-    rows: list of dicts with the keys of COLUMNS: accuracy asked for, estimated and true error in metres, the
-    true one being the largest distance of a node from where it is in equilibrium. reference: the shape that
-    stands for that, (n, 3) [m]. cancelled: whether some rows are missing.
+    rows: list of dicts with the keys of COLUMNS: step, the mean length of members on the source, accuracy
+    asked for, estimated and true error in metres, the true one being the largest distance of a node from
+    where it is in equilibrium; net_error, the estimated distance of that equilibrium from the smooth surface,
+    None where there is no coarser net to tell it by. reference: the scene's own shape in equilibrium,
+    (n, 3) [m]. of_net: the NetError of the scene's own net, or None. cancelled: whether some rows are
+    missing.
     """
 
     reference: np.ndarray
+    of_net: object = None
     rows: list = field(default_factory=list)
     cancelled: bool = False
+
+    def rows_of_own_step(self):
+        """The rows of the scene's own net."""
+        return [row for row in self.rows if row["step"] == self.rows[0]["step"]]
 
     def write(self, path):
         """The rows as a CSV file; lengths in metres, times in seconds."""
@@ -66,44 +78,53 @@ class Study:
         draw(self, path, chosen)
 
 
-def accuracy_study(scene, accuracies=ACCURACIES, methods=METHODS, on_progress=None, max_seconds=60.0):
-    """The Study of a scene: each accuracy by each method.
+def accuracy_study(
+    scene, accuracies=ACCURACIES, methods=METHODS, on_progress=None, max_seconds=60.0, coarser=2
+):
+    """The Study of a scene: each accuracy by each method, and on lattices the same on coarser nets.
 
     scene: a Scene. accuracies: [m]. methods: of fn.solve. on_progress(row) is called with each row as it is
     measured; returning False ends the study there. max_seconds: for each solve; what takes longer has its
-    status say so, and the method is not asked for more.
+    status say so, and the method is not asked for more. coarser: nets of twice, four times, … the step that
+    are studied as well, as many as the lattice has; 0 for none, when there is no net_error either.
 
     Raises InvalidInput for accuracies that cannot be meant, and where the scene has no equilibrium that is
     found: there is nothing to measure against then.
     """
     wanted = sorted({_checked(accuracy) for accuracy in accuracies}, reverse=True)
-    study = Study(_reference(scene))
-    for method in methods:
-        for accuracy in wanted:
-            row = _measured(scene, method, accuracy, study.reference, max_seconds)
-            study.rows.append(row)
-            if on_progress is not None and on_progress(row) is False:
-                study.cancelled = True
-                return study
-            if row["status"] != "converged":
-                break
+    nets = _coarser_nets(scene, coarser)
+    scenes = [scene, *(net.scene for net in nets)]
+    references = [solved_far(each) for each in scenes]
+    study = Study(references[0], from_shapes(references[:3], nets[:2]) if nets else None)
+    for level, (each, reference) in enumerate(zip(scenes, references)):
+        of_level = {
+            "step": float(np.mean(each.net.source_lengths)),
+            "net_error": study.of_net.at(2.0**level) if study.of_net else None,
+        }
+        for method in methods:
+            for accuracy in wanted:
+                row = _measured(each, method, accuracy, reference, max_seconds) | of_level
+                study.rows.append({column: row[column] for column in COLUMNS})
+                if on_progress is not None and on_progress(study.rows[-1]) is False:
+                    study.cancelled = True
+                    return study
+                if row["status"] != "converged":
+                    break
     return study
+
+
+def _coarser_nets(scene, most):
+    """CoarserNets, none where the net has none."""
+    try:
+        return nets_coarser_than(scene, most) if most else []
+    except fn.InvalidInput:
+        return []
 
 
 def _checked(accuracy):
     if not (np.isreal(accuracy) and 0.0 < accuracy < np.inf):
         raise fn.InvalidInput(f"accuracies holds {accuracy!r}: give lengths in metres, such as 1e-3")
     return float(accuracy)
-
-
-def _reference(scene):
-    """The shape in equilibrium, as far as rounding lets one tell."""
-    result = fn.solve(
-        scene, accuracy=REFERENCE_ACCURACY * scene.net.size, tolerance=REFERENCE_TOLERANCE, max_seconds=600.0
-    )
-    if result.status != "converged" and not result.residual <= 1e-8:
-        raise fn.InvalidInput(f"there is nothing to measure against: {result.message}")
-    return np.array(result.nodes)
 
 
 def _measured(scene, method, accuracy, reference, max_seconds):
