@@ -42,7 +42,8 @@ class Study:
 
     rows: list of dicts with the keys of COLUMNS: accuracy asked for, estimated and true error in metres, the
     true one being the largest distance of a node from where it is in equilibrium. reference: the shape that
-    stands for that, (n, 3) [m]. cancelled: whether some rows are missing.
+    stands for that, (n, 3) [m], without rows if it was cancelled before. cancelled: whether some rows are
+    missing.
     """
 
     reference: np.ndarray
@@ -66,24 +67,34 @@ class Study:
         draw(self, path, chosen)
 
 
-def accuracy_study(scene, accuracies=ACCURACIES, methods=METHODS, on_progress=None, max_seconds=60.0):
+def accuracy_study(
+    scene, accuracies=ACCURACIES, methods=METHODS, on_progress=None, max_seconds=60.0, on_report=None
+):
     """The Study of a scene: each accuracy by each method.
 
     scene: a Scene. accuracies: [m]. methods: of fn.solve. on_progress(row) is called with each row as it is
     measured; returning False ends the study there. max_seconds: for each solve; what takes longer has its
-    status say so, and the method is not asked for more.
+    status say so, and the method is not asked for more. on_report(method, accuracy, report) is called within
+    each solve as fn.solve calls its on_progress, with None and None while the shape to measure against is
+    sought; returning False ends the study there, without the row that is being measured.
 
     Raises InvalidInput for accuracies that cannot be meant, and where the scene has no equilibrium that is
     found: there is nothing to measure against then.
     """
     wanted = sorted({_checked(accuracy) for accuracy in accuracies}, reverse=True)
-    study = Study(_reference(scene))
+    reference = _reference(scene, _within(on_report, None, None))
+    study = Study(reference, cancelled=not len(reference))
+    if study.cancelled:
+        return study
     for method in methods:
         for accuracy in wanted:
-            row = _measured(scene, method, accuracy, study.reference, max_seconds)
-            study.rows.append(row)
-            if on_progress is not None and on_progress(row) is False:
-                study.cancelled = True
+            watch = _within(on_report, method, accuracy)
+            row = _measured(scene, method, accuracy, study.reference, max_seconds, watch)
+            study.cancelled = row["status"] == "cancelled"
+            if not study.cancelled:
+                study.rows.append(row)
+                study.cancelled = on_progress is not None and on_progress(row) is False
+            if study.cancelled:
                 return study
             if row["status"] != "converged":
                 break
@@ -96,18 +107,36 @@ def _checked(accuracy):
     return float(accuracy)
 
 
-def _reference(scene):
-    """The shape in equilibrium, as far as rounding lets one tell."""
+def _within(on_report, method, accuracy):
+    """What fn.solve is to call while it measures this."""
+    return None if on_report is None else lambda report: on_report(method, accuracy, report)
+
+
+def _reference(scene, watch):
+    """The shape in equilibrium, as far as rounding lets one tell; no node where it was cancelled."""
     result = fn.solve(
-        scene, accuracy=REFERENCE_ACCURACY * scene.net.size, tolerance=REFERENCE_TOLERANCE, max_seconds=600.0
+        scene,
+        accuracy=REFERENCE_ACCURACY * scene.net.size,
+        tolerance=REFERENCE_TOLERANCE,
+        max_seconds=600.0,
+        on_progress=watch,
     )
+    if result.status == "cancelled":
+        return np.empty((0, 3))
     if result.status != "converged" and not result.residual <= 1e-8:
         raise fn.InvalidInput(f"there is nothing to measure against: {result.message}")
     return np.array(result.nodes)
 
 
-def _measured(scene, method, accuracy, reference, max_seconds):
-    result = fn.solve(scene, accuracy=accuracy, tolerance=TOLERANCE, method=method, max_seconds=max_seconds)
+def _measured(scene, method, accuracy, reference, max_seconds, watch):
+    result = fn.solve(
+        scene,
+        accuracy=accuracy,
+        tolerance=TOLERANCE,
+        method=method,
+        max_seconds=max_seconds,
+        on_progress=watch,
+    )
     certificate = fn.certify(scene, result)
     return {
         "method": method,
