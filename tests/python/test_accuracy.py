@@ -94,6 +94,17 @@ def test_it_can_be_ended_and_keeps_what_it_has():
     assert study.cancelled and study.rows == seen and len(seen) == 3
 
 
+@pytest.mark.parametrize("end_within, rows", [(None, 0), ("auto", 0), ("relaxation", 2)])
+def test_it_can_be_ended_within_a_solve(end_within, rows):
+    def on_report(method, accuracy, report):
+        assert (method is None) == (accuracy is None) and report.seconds >= 0.0
+        return method != end_within
+
+    study = fn.accuracy_study(sheet(), (1e-2, 1e-6), ("auto", "relaxation"), on_report=on_report)
+    assert study.cancelled and len(study.rows) == rows
+    assert all(row["status"] == "converged" for row in study.rows)
+
+
 def test_a_limit_of_time_is_told_and_the_method_not_asked_for_more():
     study = fn.accuracy_study(sheet(), methods=("relaxation", "auto"), max_seconds=0.0, coarser=0)
     assert [row["status"] for row in study.rows if row["method"] == "relaxation"] == ["time_limit"]

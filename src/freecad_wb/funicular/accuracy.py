@@ -14,8 +14,8 @@ import numpy as np
 
 import funicular as fn
 
+from .discretisation import Cancelled, from_shapes, solved_far
 from .discretisation import coarser as nets_coarser_than
-from .discretisation import from_shapes, solved_far
 
 ACCURACIES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  # [m]
 METHODS = ("auto", "newton", "relaxation")
@@ -48,7 +48,8 @@ class Study:
     asked for, estimated and true error in metres, the true one being the largest distance of a node from
     where it is in equilibrium; net_error, the estimated distance of that equilibrium from the smooth surface,
     None where there is no coarser net to tell it by. reference: the scene's own shape in equilibrium,
-    (n, 3) [m]. of_net: the NetError of the scene's own net, or None. cancelled: whether some rows are
+    (n, 3) [m], without rows if the study was cancelled before. of_net: the NetError of the scene's own net,
+    or None. cancelled: whether some rows are
     missing.
     """
 
@@ -79,37 +80,36 @@ class Study:
 
 
 def accuracy_study(
-    scene, accuracies=ACCURACIES, methods=METHODS, on_progress=None, max_seconds=60.0, coarser=2
+    scene,
+    accuracies=ACCURACIES,
+    methods=METHODS,
+    on_progress=None,
+    max_seconds=60.0,
+    on_report=None,
+    coarser=2,
 ):
     """The Study of a scene: each accuracy by each method, and on lattices the same on coarser nets.
 
     scene: a Scene. accuracies: [m]. methods: of fn.solve. on_progress(row) is called with each row as it is
     measured; returning False ends the study there. max_seconds: for each solve; what takes longer has its
-    status say so, and the method is not asked for more. coarser: nets of twice, four times, … the step that
-    are studied as well, as many as the lattice has; 0 for none, when there is no net_error either.
+    status say so, and the method is not asked for more. on_report(method, accuracy, report) is called within
+    each solve as fn.solve calls its on_progress, with None and None while a shape to measure against is
+    sought; returning False ends the study there, without the row that is being measured. coarser: nets of
+    twice, four times, … the step that are studied as well, as many as the lattice has; 0 for none, when there
+    is no net_error either.
 
     Raises InvalidInput for accuracies that cannot be meant, and where the scene has no equilibrium that is
     found: there is nothing to measure against then.
     """
     wanted = sorted({_checked(accuracy) for accuracy in accuracies}, reverse=True)
-    nets = _coarser_nets(scene, coarser)
-    scenes = [scene, *(net.scene for net in nets)]
-    references = [solved_far(each) for each in scenes]
-    study = Study(references[0], from_shapes(references[:3], nets[:2]) if nets else None)
-    for level, (each, reference) in enumerate(zip(scenes, references)):
-        of_level = {
-            "step": float(np.mean(each.net.source_lengths)),
-            "net_error": study.of_net.at(2.0**level) if study.of_net else None,
-        }
-        for method in methods:
-            for accuracy in wanted:
-                row = _measured(each, method, accuracy, reference, max_seconds) | of_level
-                study.rows.append({column: row[column] for column in COLUMNS})
-                if on_progress is not None and on_progress(study.rows[-1]) is False:
-                    study.cancelled = True
-                    return study
-                if row["status"] != "converged":
-                    break
+    study = Study(np.empty((0, 3)))
+    try:
+        for row in _rows(scene, wanted, methods, max_seconds, on_report, coarser, study):
+            study.rows.append(row)
+            if on_progress is not None and on_progress(row) is False:
+                raise Cancelled
+    except Cancelled:
+        study.cancelled = True
     return study
 
 
@@ -127,8 +127,42 @@ def _checked(accuracy):
     return float(accuracy)
 
 
-def _measured(scene, method, accuracy, reference, max_seconds):
-    result = fn.solve(scene, accuracy=accuracy, tolerance=TOLERANCE, method=method, max_seconds=max_seconds)
+def _within(on_report, method, accuracy):
+    """What fn.solve is to call while it measures this."""
+    return None if on_report is None else lambda report: on_report(method, accuracy, report)
+
+
+def _rows(scene, accuracies, methods, max_seconds, on_report, coarser, study):
+    """Measures row by row; the study is given what the rows are measured against. May raise Cancelled."""
+    nets = _coarser_nets(scene, coarser)
+    scenes = [scene, *(net.scene for net in nets)]
+    references = [solved_far(each, on_progress=_within(on_report, None, None)) for each in scenes]
+    study.reference = references[0]
+    study.of_net = from_shapes(references[:3], nets[:2]) if nets else None
+    for level, (each, reference) in enumerate(zip(scenes, references)):
+        step = float(np.mean(each.net.source_lengths))
+        net_error = study.of_net.at(2.0**level) if study.of_net else None
+        for method in methods:
+            for accuracy in accuracies:
+                watch = _within(on_report, method, accuracy)
+                row = _measured(each, method, accuracy, reference, max_seconds, watch)
+                row |= {"step": step, "net_error": net_error}
+                yield {column: row[column] for column in COLUMNS}
+                if row["status"] != "converged":
+                    break
+
+
+def _measured(scene, method, accuracy, reference, max_seconds, watch):
+    result = fn.solve(
+        scene,
+        accuracy=accuracy,
+        tolerance=TOLERANCE,
+        method=method,
+        max_seconds=max_seconds,
+        on_progress=watch,
+    )
+    if result.status == "cancelled":
+        raise Cancelled
     certificate = fn.certify(scene, result)
     return {
         "method": method,

@@ -18,23 +18,7 @@ def draw(study, path, chosen=None):
     figure = Figure(figsize=(9.0, 5.6), dpi=140, facecolor=PAPER)
     FigureCanvasAgg(figure)
     axes = figure.add_axes([0.13, 0.12, 0.84, 0.68], facecolor="white")
-    for method in dict.fromkeys(row["method"] for row in study.rows):
-        rows = [row for row in study.rows if row["method"] == method and row["status"] == "converged"]
-        if rows:
-            _draw_method(axes, method, rows, chosen)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.invert_xaxis()
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda metres, _: length_text(metres)))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda seconds, _: time_text(seconds)))
-    axes.set_xlabel("distance from equilibrium, more accurate to the right", color=INK)
-    axes.set_ylabel("time in the solver", color=INK)
-    axes.grid(True, which="major", color="#e3e1da")
-    axes.set_axisbelow(True)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
-    # Above the axes, where no curve can run.
-    axes.legend(frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.01), ncol=3, fontsize=9)
+    draw_on(axes, study.rows, chosen)
     figure.text(0.13, 0.93, "What accuracy costs", fontsize=15, color=INK, weight="bold")
     figure.text(
         0.13,
@@ -46,7 +30,34 @@ def draw(study, path, chosen=None):
     figure.savefig(path, facecolor=PAPER)
 
 
-def _draw_method(axes, method, rows, chosen):
+def draw_on(axes, rows, chosen=None, method=None, in_words=None, columns=3):
+    """Draws the rows of a Study that converged on matplotlib's axes.
+
+    chosen: an accuracy [m] to be marked, of one method or, without, of all. in_words(metres): how lengths are
+    written; length_text unless given. columns: of the legend.
+    """
+    in_words = in_words or length_text
+    for name in dict.fromkeys(row["method"] for row in rows):
+        arrived = [row for row in rows if row["method"] == name and row["status"] == "converged"]
+        if arrived:
+            _draw_method(axes, name, arrived, chosen if method in (None, name) else None, in_words)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.xaxis.set_inverted(True)
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda metres, _: in_words(metres)))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda seconds, _: time_text(seconds)))
+    axes.set_xlabel("distance from equilibrium, more accurate to the right", color=INK)
+    axes.set_ylabel("time in the solver", color=INK)
+    axes.grid(True, which="major", color="#e3e1da")
+    axes.set_axisbelow(True)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+    if axes.get_legend_handles_labels()[1]:
+        # Above the axes, where no curve can run.
+        axes.legend(frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.01), ncol=columns, fontsize=9)
+
+
+def _draw_method(axes, method, rows, chosen, in_words):
     colour = COLOURS.get(method, INK)
     seconds = [row["seconds"] for row in rows]
     true = [max(row["true_error"], SMALLEST) for row in rows]
@@ -57,7 +68,7 @@ def _draw_method(axes, method, rows, chosen):
         if row["accuracy"] == chosen:
             axes.plot([error], [time], "o", markersize=15, fillstyle="none", color=INK, zorder=4)
             axes.annotate(
-                f"{length_text(chosen)} asked: {time_text(time)}",
+                f"{in_words(chosen)} asked: {time_text(time)}",
                 (error, time),
                 xytext=(10, 12),
                 textcoords="offset points",

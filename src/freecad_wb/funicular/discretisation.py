@@ -112,12 +112,24 @@ def from_shapes(shapes, nets):
     return NetError(error.distance / (2.0**error.order_used - 1.0), order, error.is_smooth)
 
 
-def solved_far(scene, max_seconds=600.0):
+class Cancelled(Exception):
+    """A solve was ended from outside."""
+
+
+def solved_far(scene, max_seconds=600.0, on_progress=None):
     """(n, 3) the shape in equilibrium [m], as far as rounding lets one tell.
 
-    Raises InvalidInput where it is not found.
+    on_progress: as of fn.solve. Raises InvalidInput where there is no shape that is found, and Cancelled.
     """
-    result = fn.solve(scene, accuracy=ACCURACY * scene.net.size, tolerance=TOLERANCE, max_seconds=max_seconds)
+    result = fn.solve(
+        scene,
+        accuracy=ACCURACY * scene.net.size,
+        tolerance=TOLERANCE,
+        max_seconds=max_seconds,
+        on_progress=on_progress,
+    )
+    if result.status == "cancelled":
+        raise Cancelled
     if result.status != "converged" and not result.residual <= 1e-8:
         raise fn.InvalidInput(f"there is nothing to measure against: {result.message}")
     return np.array(result.nodes)

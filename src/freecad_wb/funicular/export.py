@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was found, for other programs: mesh files and tables. FreeCAD's File > Export calls `export`.
+"""What was found, for other programs: mesh files, tables, pictures. FreeCAD's File > Export calls `export`.
 
 Files are in metres and newtons and hold the gridshell as it stands in the document, with its Placement.
 """
@@ -13,7 +13,7 @@ import funicular as fn
 
 from .features.covering import gridshell_of
 from .features.feature import MARKER
-from .features.gridshell import refuse_tilt, scene_of
+from .features.gridshell import refuse_tilt, scene_of, solver_options
 from .features.net import panels_of, to_vectors
 from .files import write_mesh
 from .panels import triangles
@@ -138,6 +138,42 @@ def export_tables(shell, stem):
 
 def _yes_or_no(value):
     return "yes" if value else "no"
+
+
+def to_be_studied(shell):
+    """(scene, options) with which fn.accuracy_study measures a Gridshell as its properties are now.
+
+    options: accuracies, the gridshell's own among them, and max_seconds, its MaxSeconds. LengthMatching plays
+    no part: lengths are those on the source. Raises InvalidInput for what is no Gridshell, for properties
+    that describe no scene, and where its Net or a Support has yet to be recomputed.
+    """
+    from .accuracy import ACCURACIES
+
+    if getattr(shell, MARKER, "") != "Gridshell":
+        raise fn.InvalidInput(f"{getattr(shell, 'Label', repr(shell))} is no Gridshell: give one")
+    own = solver_options(shell)
+    for obj in (shell.Net, *shell.Supports):
+        if obj is not None and not obj.isValid():
+            raise fn.InvalidInput(obj.getStatusString())
+        if obj is not None and "Touched" in obj.State:
+            raise fn.InvalidInput(f"{obj.Label} has changed since it was computed: recompute it first")
+    # Millimetres turned into metres may miss the same length by a rounding.
+    others = [accuracy for accuracy in ACCURACIES if not np.isclose(accuracy, own["accuracy"], 1e-9, 0.0)]
+    return scene_of(shell), {"accuracies": [*others, own["accuracy"]], "max_seconds": own["max_seconds"]}
+
+
+def study_accuracy(shell, stem, **options):
+    """Measure what accuracy costs a Gridshell; write `<stem>.csv` and `<stem>.png`, and return the Study.
+
+    The picture marks the gridshell's own Accuracy. options: those of fn.accuracy_study, such as accuracies
+    [m] and methods, in place of what to_be_studied() gives. Raises InvalidInput as that does and where there
+    is no equilibrium to measure against, OSError if a file cannot be written.
+    """
+    scene, of_shell = to_be_studied(shell)
+    study = fn.accuracy_study(scene, **{**of_shell, **options})
+    study.write(f"{os.fspath(stem)}.csv")
+    study.plot(f"{os.fspath(stem)}.png", chosen=solver_options(shell)["accuracy"])
+    return study
 
 
 def export(objects, filename):
