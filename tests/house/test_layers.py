@@ -9,7 +9,10 @@ NUMERIC = [rules.PACKAGE / "__init__.py", rules.PACKAGE / "_native.py", rules.PA
 NUMERIC += rules.sources(".py", under=rules.PACKAGE / "files")
 MESHES_AND_WIRES = "topology wording mesh_repair mesh_source crossings curves cycles wireframe"
 NUMERIC += [rules.PACKAGE / f"{name}.py" for name in MESHES_AND_WIRES.split()]
-NUMERIC += [rules.PACKAGE / "accuracy.py", rules.PACKAGE / "accuracy_picture.py"]
+NUMERIC += [
+    rules.PACKAGE / f"{name}.py"
+    for name in ("accuracy", "accuracy_picture", "discretisation", "effect_costs")
+]
 SOLVER = {"equilibrium", "newton", "relaxation", "solve", "solver"}
 
 

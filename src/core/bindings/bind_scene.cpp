@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "coarser_scene.hpp"
 #include "convert.hpp"
+#include "effect_memory.hpp"
 #include "length_matching.hpp"
 #include "scene.hpp"
 
@@ -246,6 +247,11 @@ Raises InvalidInput, naming the part and the first offending index; so for a con
             },
             py::arg("result"),
             R"(The scene with rest lengths r L / l', L the source length and l' the length in `result` (section 4.2).)")
+        .def(
+            "effect_memory", &effect_memory,
+            R"({effect name: bytes}: what each holds, and the part of the tangent stiffness that is there for it alone.
+
+Solvers that make no matrix, as on lattices of quads, take less.)")
         .def(
             "coarsened",
             [](const Scene &self) {

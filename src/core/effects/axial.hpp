@@ -24,6 +24,10 @@ public:
                 const Scale &scale);
 
     [[nodiscard]] std::string_view name() const override { return "axial"; }
+    [[nodiscard]] std::size_t bytes() const override {
+        return sizeof(*this) +
+               sizeof(double) * static_cast<std::size_t>(stiffness_.size() + rest_lengths_.size());
+    }
     [[nodiscard]] bool is_load() const override { return false; }
     void add_forces(const Points &x, Points &forces) const override;
     void couple(Coupling &coupling) const override;

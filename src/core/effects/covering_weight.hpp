@@ -15,6 +15,7 @@ public:
     CoveringLoads(const Net &net, const CoveringWeight &description, const Scale &scale);
 
     [[nodiscard]] std::string_view name() const override { return "covering_weight"; }
+    [[nodiscard]] std::size_t bytes() const override { return sizeof(*this); }
     void add_forces(const Points &x, Points &forces) const override;
     void couple(Coupling &coupling) const override;
     void add_tangent(const Points &x, BlockMatrix &tangent) const override;

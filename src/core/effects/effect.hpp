@@ -4,6 +4,7 @@
 #include "block_matrix.hpp"
 #include "types.hpp"
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,8 @@ public:
     virtual ~Effect() = default;
 
     [[nodiscard]] virtual std::string_view name() const = 0;
+    /// Memory that it holds [bytes], of the net apart, which all share.
+    [[nodiscard]] virtual std::size_t bytes() const = 0;
     /// Whether the forces are loads, which carry weight, rather than what resists them.
     [[nodiscard]] virtual bool is_load() const { return true; }
     /// Adds the force on every node at x.

@@ -15,6 +15,9 @@ public:
     MemberLoads(const Net &net, const MemberWeight &description, const Scale &scale);
 
     [[nodiscard]] std::string_view name() const override { return "member_weight"; }
+    [[nodiscard]] std::size_t bytes() const override {
+        return sizeof(*this) + sizeof(double) * static_cast<std::size_t>(lines_.size());
+    }
     void add_forces(const Points &x, Points &forces) const override;
     void couple(Coupling &coupling) const override;
     void add_tangent(const Points &x, BlockMatrix &tangent) const override;

@@ -17,6 +17,7 @@ public:
     PointLoads(const Net &net, const PointLoad &description, const Scale &scale);
 
     [[nodiscard]] std::string_view name() const override { return "point_load"; }
+    [[nodiscard]] std::size_t bytes() const override { return sizeof(*this) + sizeof(Index) * nodes_.size(); }
     void add_forces(const Points &x, Points &forces) const override;
     void couple(Coupling & /*coupling*/) const override {}
     void add_tangent(const Points & /*x*/, BlockMatrix & /*tangent*/) const override {}

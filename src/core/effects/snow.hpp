@@ -19,6 +19,7 @@ public:
     SnowLoads(const Net &net, const Snow &description, const Scale &scale);
 
     [[nodiscard]] std::string_view name() const override { return "snow"; }
+    [[nodiscard]] std::size_t bytes() const override { return sizeof(*this); }
     void add_forces(const Points &x, Points &forces) const override;
     void couple(Coupling &coupling) const override;
     void add_tangent(const Points &x, BlockMatrix &tangent) const override;

@@ -34,7 +34,11 @@ _NUMERIC_API = (
 )
 
 # What is written in Python on top of them, by module.
-_IN_PYTHON = {"accuracy_study": "accuracy", "net_error": "discretisation"}
+_IN_PYTHON = {
+    "accuracy_study": "accuracy",
+    "effect_study": "effect_costs",
+    "net_error": "discretisation",
+}
 
 __all__ = [*_NUMERIC_API, *_IN_PYTHON]
 
