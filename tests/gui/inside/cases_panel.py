@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 from funicular.features import progress
-from funicular.gui.inputs import SECTIONS
+from funicular.gui.inputs import SECTIONS, counts
 from window import (
     QtCore,
     QtWidgets,
@@ -24,6 +24,13 @@ from window import (
     type_into,
     wait_for_result,
 )
+
+
+def shown_inputs(shell):
+    """Names of the inputs that the panel of a gridshell on faces shows, from top to bottom."""
+    owners = {"Net": shell.Net, "Gridshell": shell}
+    rows = [(owners.get(owner), name) for _, rows in SECTIONS for owner, name, _ in rows]
+    return [name for obj, name in rows if obj is not None and counts(obj, name)]
 
 
 class WhileSolving(QtCore.QObject):
@@ -58,8 +65,8 @@ def test_source_and_net_give_way_to_the_gridshell_and_hang_below_it(opened, roof
 
 
 def test_every_input_has_a_label_and_says_what_it_is(opened):
-    names_of_inputs = [name for _, rows in SECTIONS for owner, name, _ in rows if owner != "Sheet"]
-    assert len(names_of_inputs) == 19
+    names_of_inputs = shown_inputs(opened)
+    assert len(names_of_inputs) == 21
     boxes = [panel_box(name) for name in names_of_inputs]
     reached, widget = [], boxes[0]
     while len(reached) < len(boxes) and widget.objectName() not in reached:
@@ -358,9 +365,10 @@ def test_units_of_the_field(opened):
 
 
 def test_labels_stand_beside_their_inputs_and_none_is_cut_off(opened):
-    rows = [panel_box(name) for _, rows in SECTIONS for owner, name, _ in rows if owner != "Sheet"]
+    rows = [panel_box(name) for name in shown_inputs(opened)]
     form = next(parent for parent in parents(rows[0]) if parent.layout())
     labels = [label for label in form.findChildren(QtWidgets.QLabel) if label.buddy() in rows]
+    assert all(label.isVisible() and label.buddy().isVisible() for label in labels)
     assert len(labels) == len(rows)
     for label in labels:
         top = label.buddy().y() - label.height()
@@ -390,7 +398,7 @@ def test_a_net_can_carry_a_second_gridshell(opened):
 def test_each_pattern_has_a_picture_and_can_be_chosen(opened):
     box = panel_box("Pattern")
     pictures = [box.itemIcon(row).pixmap(64, 64).toImage() for row in range(box.count())]
-    assert len(pictures) == 12
+    assert len(pictures) == 14
     for row, picture in enumerate(pictures):
         assert not picture.isNull()
         assert picture not in pictures[:row], f"{box.itemText(row)} looks like another one"
@@ -399,3 +407,59 @@ def test_each_pattern_has_a_picture_and_can_be_chosen(opened):
     assert wait_for_result(before).startswith("✔")
     assert opened.Net.Pattern == "Kagome"
     assert len(opened.Shape.Edges) == opened.Net.MemberCount
+
+
+def test_a_net_of_equal_lengths_has_its_own_inputs(opened):
+    laying = panel_box("Laying")
+    assert {"StepV", "Pattern"} <= visible_inputs() and "Start" not in visible_inputs()
+    before = result_line()
+    laying.setCurrentIndex(laying.findText("Equal lengths"))
+    settle()
+    assert "Start" in visible_inputs() and not {"StepV", "Pattern"} & visible_inputs()
+    assert wait_for_result(before).startswith("✔")
+    before = result_line()
+    type_into(
+        panel_box("Start").findChildren(QtWidgets.QDoubleSpinBox)[0], "0,4" if decimal_comma() else "0.4"
+    )
+    assert opened.Net.Start.x == pytest.approx(0.4) and opened.Net.Start.y == pytest.approx(0.5)
+    type_into(panel_box("MostShear"), "50")
+    wait_for_result(before)
+    assert opened.Net.MostShear.Value == pytest.approx(50)
+    press("Cancel")
+
+
+def visible_inputs():
+    names = {name for _, rows in SECTIONS for _, name, _ in rows}
+    widgets = QtWidgets.QApplication.allWidgets()
+    return {widget.objectName() for widget in widgets if widget.isVisible()} & names
+
+
+def decimal_comma():
+    return QtCore.QLocale().decimalPoint() == ","
+
+
+def test_a_pattern_can_be_shifted_on_its_face(opened):
+    before, places = result_line(), opened.Net.SourceNodes
+    type_into(panel_box("OffsetU"), "0,5" if decimal_comma() else "0.5")
+    wait_for_result(before)
+    assert opened.Net.OffsetU == pytest.approx(0.5) and opened.Net.SourceNodes != places
+
+
+def test_a_mesh_file_has_its_own_inputs(document, tmp_path):
+    from funicular.make import make_gridshell
+
+    path = tmp_path / "sheet.obj"
+    rows = [f"v {x} {y} 0" for x in range(5) for y in range(5)]
+    rows += [f"vt {x / 4} {y / 4}" for x in range(5) for y in range(5)]
+    quads = [[5 * x + y + 1 + k for k in (0, 5, 6, 1)] for x in range(4) for y in range(4)]
+    rows += ["f " + " ".join(f"{corner}/{corner}" for corner in quad) for quad in quads]
+    path.write_text("\n".join(rows))
+    shell = make_gridshell(document, File=str(path), SupportRecipe="Corners")
+    document.recompute()
+    before = edit_again(shell)
+    assert shell.Net.NodeCount == 25 and panel_box("FileUnit").isVisible() and panel_box("Weld").isVisible()
+    type_into(panel_box("StepU"), "500 mm")
+    panel_box("Resampled").setChecked(True)
+    wait_for_result(before)
+    assert shell.Net.NodeCount == 9 * 5
+    press("Ok")

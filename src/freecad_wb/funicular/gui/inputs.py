@@ -17,6 +17,11 @@ SECTIONS = (
         (
             ("Sheet", "Width", QT_TRANSLATE_NOOP("Funicular", "Width")),
             ("Sheet", "Depth", QT_TRANSLATE_NOOP("Funicular", "Depth")),
+            ("File", "File", QT_TRANSLATE_NOOP("Funicular", "Mesh file")),
+            ("File", "FileUnit", QT_TRANSLATE_NOOP("Funicular", "Its unit")),
+            ("File", "Resampled", QT_TRANSLATE_NOOP("Funicular", "Lay the pattern")),
+            ("Mesh", "Weld", QT_TRANSLATE_NOOP("Funicular", "Weld within")),
+            ("Edges", "Chord", QT_TRANSLATE_NOOP("Funicular", "Divide curves")),
             ("Net", "Pattern", QT_TRANSLATE_NOOP("Funicular", "Pattern")),
             ("Net", "Laying", QT_TRANSLATE_NOOP("Funicular", "Laid")),
             ("Net", "StepU", QT_TRANSLATE_NOOP("Funicular", "Step along u")),
@@ -25,7 +30,12 @@ SECTIONS = (
             ("Net", "CountV", QT_TRANSLATE_NOOP("Funicular", "Cells along v")),
             ("Net", "SwapUV", QT_TRANSLATE_NOOP("Funicular", "Turned")),
             ("Net", "Angle", QT_TRANSLATE_NOOP("Funicular", "Angle")),
+            ("Net", "OffsetU", QT_TRANSLATE_NOOP("Funicular", "Shift along u")),
+            ("Net", "OffsetV", QT_TRANSLATE_NOOP("Funicular", "Shift along v")),
             ("Net", "Spacing", QT_TRANSLATE_NOOP("Funicular", "Equal in")),
+            ("Net", "Start", QT_TRANSLATE_NOOP("Funicular", "Start (u, v)")),
+            ("Net", "Crossing", QT_TRANSLATE_NOOP("Funicular", "Crossing")),
+            ("Net", "MostShear", QT_TRANSLATE_NOOP("Funicular", "Most shear")),
         ),
     ),
     (
@@ -60,6 +70,20 @@ SECTIONS = (
 UNITS = {"MemberWeight": "kg/m", "CoveringWeight": "kg/m²", "Snow": "kN/m²"}
 
 
+# Inputs that say nothing unless another property of their object has the value given.
+ONLY_WHERE = {name: ("Laying", "Equal lengths") for name in ("Start", "Crossing", "MostShear")}
+ONLY_WHERE |= {
+    name: ("Laying", "Along isolines")
+    for name in ("Pattern", "StepV", "CountU", "CountV", "SwapUV", "OffsetU", "OffsetV", "Spacing")
+}
+
+
+def counts(obj, name):
+    """Whether property `name` of `obj` has a say, as its others now are."""
+    other, value = ONLY_WHERE.get(name, (None, None))
+    return other is None or getattr(obj, other) == value
+
+
 def expression_of(obj, name):
     """The expression that property `name` of `obj` follows, "" without one."""
     return next((text for path, text in obj.ExpressionEngine if path.lstrip(".") == name), "")
@@ -82,6 +106,12 @@ def make_input(obj, name, on_change, on_error):
         widget = _check(obj, name, on_change)
     elif kind.startswith("App::PropertyInteger"):
         widget = _count(obj, name, on_change)
+    elif kind == "App::PropertyFloat":
+        widget = _number(obj, name, on_change)
+    elif kind == "App::PropertyVector":
+        widget = PlaceField(on_change)
+    elif kind == "App::PropertyFile":
+        widget = _path(obj, name, on_change)
     elif name in UNITS:
         widget = QuantityField(UNITS[name], on_change, on_error)
     else:
@@ -109,10 +139,14 @@ def show_value(widget, obj, name):
         widget.setCurrentText(value)
     elif isinstance(widget, QtWidgets.QCheckBox):
         widget.setChecked(value)
-    elif isinstance(widget, QtWidgets.QSpinBox):
+    elif isinstance(widget, (QtWidgets.QSpinBox, QtWidgets.QDoubleSpinBox)):
         widget.setValue(value)
     elif isinstance(widget, QuantityField):
         widget.show_quantity(value)
+    elif isinstance(widget, PlaceField):
+        widget.show_place(value)
+    elif obj.getTypeIdOfProperty(name) == "App::PropertyFile":
+        widget.setProperty("fileName", value)
     else:
         widget.setProperty("rawValue", value.Value)
     widget.blockSignals(blocked)
@@ -152,6 +186,21 @@ def _count(obj, name, on_change):
     return widget
 
 
+def _number(obj, name, on_change):
+    widget = QtWidgets.QDoubleSpinBox()
+    widget.setRange(-1.0, 1.0)
+    widget.setSingleStep(0.1)
+    widget.valueChanged.connect(on_change)
+    return widget
+
+
+def _path(obj, name, on_change):
+    """FreeCAD's own chooser: a line and a button."""
+    widget = FreeCADGui.UiLoader().createWidget("Gui::FileChooser")
+    QtCore.QObject.connect(widget, QtCore.SIGNAL("fileNameSelected(QString)"), on_change)
+    return widget
+
+
 def _quantity(obj, name, on_change, on_error):
     """FreeCAD's own box: any unit, the user's unit schema, and the f(x) button for expressions."""
     widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
@@ -186,6 +235,34 @@ class CheckBox(QtWidgets.QCheckBox):
             event.accept()
             return True
         return super().event(event)
+
+
+class PlaceField(QtWidgets.QWidget):
+    """A place (u, v) of a face, in shares of its length: two boxes beside each other."""
+
+    def __init__(self, on_change):
+        super().__init__()
+        row = QtWidgets.QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(2)
+        self._boxes = []
+        for _ in "uv":
+            box = QtWidgets.QDoubleSpinBox()
+            box.setRange(0.0, 1.0)
+            box.setSingleStep(0.05)
+            box.valueChanged.connect(lambda _: on_change(self._place()))
+            row.addWidget(box)
+            self._boxes.append(box)
+        self.setFocusProxy(self._boxes[0])
+
+    def _place(self):
+        return FreeCAD.Vector(*(box.value() for box in self._boxes), 0.0)
+
+    def show_place(self, place):
+        for box, share in zip(self._boxes, (place.x, place.y)):
+            blocked = box.blockSignals(True)
+            box.setValue(share)
+            box.blockSignals(blocked)
 
 
 class QuantityField(QtWidgets.QLineEdit):

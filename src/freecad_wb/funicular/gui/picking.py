@@ -177,3 +177,31 @@ def clicked_object(source):
     root, paths = source
     chain = root.getSubObjectList(paths[0] if paths else "") or [root]
     return next((obj for obj in chain if obj.TypeId.startswith("App::Link")), chain[-1])
+
+
+def is_mesh_source(net):
+    """Whether a Net lies on a mesh object."""
+    obj = _inner_source(net)
+    return obj is not None and obj.isDerivedFrom("Mesh::Feature")
+
+
+def are_edges_source(net):
+    """Whether a Net lies on edges: some that are named, or all of an object without faces."""
+    obj = _inner_source(net)
+    if obj is None or is_mesh_source(net):
+        return False
+    paths = [path for path in net.Source[1] if path.rpartition(".")[2]]
+    if paths:
+        return paths[0].rpartition(".")[2].startswith("Edge")
+    shape = net.Source[0].getSubObject(net.Source[1][0] if net.Source[1] else "")
+    return (
+        hasattr(shape, "countElement") and not shape.countElement("Face") and bool(shape.countElement("Edge"))
+    )
+
+
+def _inner_source(net):
+    """The object that a Net's Source names, below links; None without one."""
+    if net is None or not net.Source:
+        return None
+    root, paths = net.Source
+    return (root.getSubObjectList(paths[0] if paths else "") or [root])[-1].getLinkedObject(True)

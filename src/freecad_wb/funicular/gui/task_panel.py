@@ -9,8 +9,14 @@ import FreeCAD
 import FreeCADGui
 
 from funicular.gui.icons import icon
-from funicular.gui.inputs import SECTIONS, expression_of, make_input, show_value
-from funicular.gui.picking import WrongSelection, clicked_object, the_faces
+from funicular.gui.inputs import SECTIONS, counts, expression_of, make_input, show_value
+from funicular.gui.picking import (
+    WrongSelection,
+    are_edges_source,
+    clicked_object,
+    is_mesh_source,
+    the_faces,
+)
 from funicular.gui.qt import QtCore, QtGui, QtWidgets, translate
 
 # After the last keystroke: long enough not to solve for each digit of a number, short enough to feel
@@ -118,6 +124,8 @@ class GridshellPanel:
         self._document = shell.Document
         # Sentences on inputs that cannot be read, by property.
         self._unreadable = {}
+        # (label, widget, object, property) of all inputs.
+        self._rows = []
         # (widget, object, property) of the inputs that follow an expression.
         self._driven = []
         if transaction is None:
@@ -222,7 +230,16 @@ class GridshellPanel:
         net = self._shell.Net
         # A sheet is a net without a source, and its size an input like any other.
         is_sheet = net is not None and net.Source is None and bool(net.Width.Value or net.Depth.Value)
-        owners = {"Gridshell": self._shell, "Net": net, "Sheet": net if is_sheet else None}
+        is_file = net is not None and net.Source is None and bool(net.File)
+        is_mesh = is_file or is_mesh_source(net)
+        owners = {
+            "Gridshell": self._shell,
+            "Net": net,
+            "Sheet": net if is_sheet else None,
+            "File": net if is_file else None,
+            "Mesh": net if is_mesh else None,
+            "Edges": net if are_edges_source(net) else None,
+        }
         # One layout for all: the inputs stand in one column, and a heading costs a line and no frame.
         inputs = QtWidgets.QFormLayout()
         inputs.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
@@ -238,10 +255,18 @@ class GridshellPanel:
                 obj = owners[owner]
                 widget = make_input(obj, name, self._setter(obj, name), self._unread(name))
                 inputs.addRow(translate(label), widget)
+                self._rows.append((inputs.labelForField(widget), widget, obj, name))
                 if expression_of(obj, name):
                     self._driven.append((widget, obj, name))
                 inputs.labelForField(widget).setToolTip(widget.toolTip())
+        self._show_what_counts()
         return form
+
+    def _show_what_counts(self):
+        """Hide the inputs that have no say as the others are."""
+        for label, widget, obj, name in self._rows:
+            for each in (label, widget):
+                each.setVisible(counts(obj, name))
 
     def _source_button(self):
         button = QtWidgets.QPushButton(translate("Use selected faces"))
@@ -261,6 +286,7 @@ class GridshellPanel:
                 # A property that follows an expression is the expression's to set.
                 if not expression_of(obj, name) and getattr(obj, name) != value:
                     setattr(obj, name, value)
+                    self._show_what_counts()
             except ReferenceError:
                 # The object is gone, and what depended on it says so when it is solved.
                 pass
