@@ -17,6 +17,8 @@ FREECAD := $(PYTHON) tools/freecad_run.py
 # `make gui` has settings of its own: the user's stay as they are.
 GUI_HOME := $(CURDIR)/build/freecad-home
 PYTEST := $(PYTHON) -m pytest
+# Each process has a FreeCAD of its own.
+PYTEST_SPREAD := $(PYTEST) --numprocesses $(shell nproc)
 # Every test is a process of its own.
 CTEST := ctest --output-on-failure --no-tests=error --parallel $(shell nproc)
 # No GPU, no sound, no sandbox for FreeCAD's start page: what a bare machine or a container has.
@@ -96,10 +98,10 @@ test-house: setup ## who may know whom, licences, the addon's description
 	$(PYTEST) tests/house
 
 test-python: build ## the numeric package, without FreeCAD
-	$(PYTEST) tests/python
+	$(PYTEST_SPREAD) tests/python
 
 test-freecad: build ## the document objects, in headless FreeCAD
-	$(PYTEST) tests/freecad
+	$(PYTEST_SPREAD) tests/freecad
 
 test-gui: build ## the workbench's windows, on a virtual display
 	$(DISPLAY_RUN) $(PYTEST) tests/gui
