@@ -28,7 +28,8 @@ def test_files_hold_what_the_study_says(shell, tmp_path):
         rows = list(csv.DictReader(file))
     wanted = sorted((7e-4, *ACCURACIES), reverse=True)
     own = rows[: len(study.rows_of_own_step())]
-    assert [(row["method"], float(row["accuracy"])) for row in own] == list(itertools.product(METHODS, wanted))
+    asked = [(row["method"], float(row["accuracy"])) for row in own]
+    assert asked == list(itertools.product(METHODS, wanted))
     assert sorted({row["step"] for row in rows})[:2] == ["0.5", "1.0"]
     assert len(rows) == len(study.rows)
     for row, measured in zip(rows, study.rows):
