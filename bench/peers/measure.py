@@ -6,16 +6,17 @@
 FOLDER keeps the shapes that were found for given force densities, which Funicular's springs are made from.
 """
 
-import csv
 import importlib
 import importlib.metadata
 import pathlib
-import statistics
 import sys
-import time
 
 import numpy as np
 from problem import flat_net, residual
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+
+from measuring import Rows, repeated, timed  # noqa: E402
 
 COLUMNS = (
     "peer",
@@ -36,23 +37,6 @@ TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8)
 GOAL = 1e-6
 # (nodes a side, the longest solve [s])
 EXTENTS = {"quick": ((11, 23), 10.0), "full": ((11, 23, 45, 101), 60.0)}
-MOST_RUNS, ENOUGH_SECONDS = 5, 5.0
-
-
-def timed(work):
-    """(what it gives, CPU seconds)"""
-    start = time.process_time()
-    result = work()
-    return result, time.process_time() - start
-
-
-def measure(solve, tolerance, most_seconds):
-    """(shape, first time, median of the times after it, how many those are); a long one is not repeated."""
-    shape, first = timed(lambda: solve(tolerance, most_seconds))
-    times = []
-    while len(times) < MOST_RUNS and first + sum(times) < ENOUGH_SECONDS:
-        times.append(timed(lambda: solve(tolerance, most_seconds))[1])
-    return np.asarray(shape), first, statistics.median(times or [first]), max(len(times), 1)
 
 
 def rows_of(peer, adapter, folder, sides, most_seconds):
@@ -69,7 +53,8 @@ def rows_of(peer, adapter, folder, sides, most_seconds):
             solve, setup = timed(lambda: adapter.prepare(problem, model, **given))
             late = False
             for tolerance in TOLERANCES if adapter.ITERATES else (GOAL,):
-                shape, first, seconds, runs = measure(solve, tolerance, most_seconds)
+                shape, first, seconds, runs = repeated(lambda: solve(tolerance, most_seconds))
+                shape = np.asarray(shape)
                 left_over = residual(problem, model, shape)
                 late = seconds >= most_seconds and not left_over <= tolerance
                 if found is None and left_over <= GOAL:
@@ -100,16 +85,9 @@ def rows_of(peer, adapter, folder, sides, most_seconds):
 def main(peer, results, folder, extent):
     adapter = importlib.import_module(f"with_{peer}")
     sides, most_seconds = EXTENTS[extent]
-    with open(results, "a", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, COLUMNS)
-        for row in rows_of(peer, adapter, pathlib.Path(folder), sides, most_seconds):
-            table.writerow(row)
-            file.flush()
-            print(
-                f"{peer}, {row['model']}: {row['nodes']} nodes to {row['tolerance']:.0e}: "
-                f"{row['seconds']:.2g} s, residual {row['residual']:.1e} ({row['status']})",
-                flush=True,
-            )
+    rows = Rows(results, COLUMNS, "a")
+    for row in rows_of(peer, adapter, pathlib.Path(folder), sides, most_seconds):
+        rows.add(row)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@
 What cannot be installed or run is left out, and the reason is printed and kept in the results.
 """
 
-import csv
 import os
 import pathlib
 import re
@@ -12,7 +11,7 @@ import shutil
 import subprocess
 import sys
 
-from measure import COLUMNS
+from measure import COLUMNS, Rows
 
 HERE = pathlib.Path(__file__).resolve().parent
 BUILD = HERE.parents[1] / "build"
@@ -33,8 +32,7 @@ def main(extent="full"):
     make_environment()
     shutil.rmtree(SHAPES, ignore_errors=True)
     SHAPES.mkdir(parents=True)
-    with open(RESULTS, "w", newline="", encoding="utf-8") as file:
-        csv.DictWriter(file, COLUMNS).writeheader()
+    Rows(RESULTS, COLUMNS)
     python = str(ENVIRONMENT / "bin" / "python")
     for peer in PEERS:
         reason = failure([python, "-m", "pip", "install", "--quiet", peer], LONGEST_INSTALL)
@@ -91,9 +89,7 @@ def last_words(errors):
 
 
 def leave_out(peer, status, reason):
-    print(f"{peer} is left out, {status}: {reason}", flush=True)
-    with open(RESULTS, "a", newline="", encoding="utf-8") as file:
-        csv.DictWriter(file, COLUMNS).writerow({"peer": peer, "status": status, "reason": reason})
+    Rows(RESULTS, COLUMNS, "a").add({"peer": peer, "status": status, "reason": reason})
 
 
 if __name__ == "__main__":

@@ -48,9 +48,7 @@ def prepare(problem, model):
             # It works on its input's own arrays: each run has a new one.
             indata = InputData(vertices=problem.nodes.tolist(), **data)
             most = 10_000_000
-            dr_numpy(
-                indata=indata, kmax=most, tol1=tolerance * problem.loads.max(), tol2=0.0, callback=look
-            )
+            dr_numpy(indata=indata, kmax=most, tol1=tolerance * problem.loads.max(), tol2=0.0, callback=look)
         except TimeIsUp:
             pass
         return np.array(shape)
