@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the effects of a scene cost in a whole solve, as result.costs tells: effect_costs.py results.csv quick|full"""
+"""What the effects of a scene cost in a whole solve, as result.costs tells.
+
+    effect_costs.py results.csv quick|full
+"""
 
 import pathlib
 import sys

@@ -51,7 +51,7 @@ def make_environment():
     if reason:
         shutil.rmtree(ENVIRONMENT, ignore_errors=True)
         sys.exit(
-            f"bench-peers: there is no virtual environment to be had ({reason}): on Debian, install python3-venv"
+            f"bench-peers: no virtual environment can be made ({reason}): on Debian, install python3-venv"
         )
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Funicular, on the same arrays.
 
-It knows springs only. Where force densities are given, it gets springs of EA 100 kN with the rest lengths that pull
-as much at the lengths that another package found: the same equilibrium, of a problem that is no longer linear.
+It knows springs only. Where force densities are given, it gets springs of EA 100 kN with the rest lengths that
+pull as much at the lengths that another package found: the same equilibrium, of a problem that is no longer
+linear.
 """
 
 import pathlib
@@ -20,7 +21,7 @@ ITERATES = True
 
 
 def prepare(problem, model, found=None):
-    """The scene; solve(tolerance, max_seconds) gives the shape. found: the shape for given force densities."""
+    """The scene; solve(tolerance, max_seconds) gives the shape. found: the one for given force densities."""
     rest = np.full(len(problem.members), problem.step)
     if model == "force densities":
         length = lengths(problem, found)

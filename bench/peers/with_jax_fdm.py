@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""jax_fdm: the force density method, differentiable; its sparse model, compiled. The first solve compiles it."""
+"""jax_fdm: the force density method, differentiable; its sparse model, compiled by the first solve."""
 
 import equinox
 import jax.numpy as jnp
