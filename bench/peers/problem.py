@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The problem that every package solves, and how far a shape is from equilibrium: numpy alone.
 
-A flat square net of n × n nodes on 10 m × 10 m whose border is fixed, pulled up at every other node by 1 kN
-a metre of step. It is asked in two models. "force densities": every member's is given, which makes the problem
-linear. "springs": every member is one, of EA 100 kN and as long at rest as in the flat net, and pulls or pushes.
+A flat square net of n × n nodes on 10 m × 10 m whose border is fixed, with 1 kN a metre of step pulling up
+all other nodes. It is asked in two models. "force densities": every member's is given, which makes the
+problem linear. "springs": every member is one, of EA 100 kN and as long at rest as in the flat net, and
+pulls or pushes.
 """
 
 from dataclasses import dataclass
@@ -67,7 +68,7 @@ def force_densities(problem, model, shape):
 
 
 def residual(problem, model, shape):
-    """The largest force left at a free node, as a share of the largest load: Σ force density · edge + load."""
+    """The largest force left at a free node, Σ force density · edge + load, of the largest load."""
     pulls = force_densities(problem, model, shape)[:, None] * (
         shape[problem.members[:, 1]] - shape[problem.members[:, 0]]
     )

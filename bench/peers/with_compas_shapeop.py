@@ -2,8 +2,8 @@
 """compas_shapeop: ShapeOp's projections, whose edge strain of weight EA is a spring's energy.
 
 It has loads in its dynamic mode alone, so that the net swings until it stands. In every step of time it
-projects so many times, and what one step leaves undone remains in the shape that it comes to rest in: a smaller
-residual takes more projections a step. Supports are held by stiff springs.
+projects so many times, and what one step leaves undone remains in the shape that it comes to rest in: a
+smaller residual takes more projections a step. Supports are held by stiff springs.
 """
 
 import math

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Funicular, on the same arrays.
 
-It knows springs only. Where force densities are given, it gets springs of EA 100 kN with the rest lengths that
-pull as much at the lengths that another package found: the same equilibrium, of a problem that is no longer
-linear.
+It knows springs only. Where force densities are given, it gets springs of EA 100 kN with the rest lengths
+that pull as much at the lengths that another package found: the same equilibrium, of a problem that is no
+longer linear.
 """
 
 import pathlib
