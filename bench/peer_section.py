@@ -10,7 +10,9 @@ INTRODUCTION = """\
 Other packages on the same net, each to the same residual: a flat square net of 10 m × 10 m, its border
 fixed, all other nodes pulled by the same load. The residual is computed apart from all of them, from
 positions alone: the largest of Σ force density · edge + load over the free nodes, as a share of the
-load. Times are CPU seconds of repeated runs in one process, on one thread."""
+load. Every package that iterates is run with tolerances of its own from 10⁻² to 10⁻⁸, and the quickest
+run that reaches the residual counts. Times are CPU time on one thread, medians of repeated runs in one
+process."""
 COMPARED = {
     "force densities": """\
 **Force densities given.** compas_fd and jax_fdm solve one linear system; compas_tna finds heights alone,
