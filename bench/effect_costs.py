@@ -5,6 +5,7 @@
 """
 
 import pathlib
+import statistics
 import sys
 
 from measuring import Rows, repeated
@@ -34,10 +35,12 @@ def main(path, extent):
     rows = Rows(path, COLUMNS)
     for name, effects in scenes.items():
         scene = fn.Scene(net, [fn.Fixed(net.border)], effects)
-        result, _, seconds, _ = repeated(lambda: fn.solve(scene, accuracy=1e-4))
-        if result.status != "converged":
-            raise RuntimeError(f"{name}: {result.message}")
-        for effect, (evaluations, spent) in result.costs.items():
+        results = []
+        _, _, seconds, _ = repeated(lambda: results.append(fn.solve(scene, accuracy=1e-4)))
+        if results[-1].status != "converged":
+            raise RuntimeError(f"{name}: {results[-1].message}")
+        for effect, (evaluations, _) in results[-1].costs.items():
+            spent = statistics.median(result.costs[effect][1] for result in results)
             rows.add(dict(zip(COLUMNS, (name, len(net.nodes), effect, evaluations, spent, seconds))))
 
 

@@ -46,6 +46,7 @@ def facts(core_bench):
         "date": datetime.date.today().isoformat(),
         "commit": commit(),
         "processor": f"{processor()}, {os.cpu_count()} cores",
+        "load": f"{os.getloadavg()[0]:.1f}",
         "memory": f"{memory:.0f} GiB",
         **versions,
         "FreeCAD": ".".join(freecad.Version()[:3]).split(" ")[0] if freecad else "not asked",

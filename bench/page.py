@@ -46,9 +46,10 @@ def heading(told):
         "",
         *paragraph(
             f"{EXTENTS[told['extent']]}Measured on {told['date']} at commit {told['commit']}: "
-            f"{told['processor']}, {told['memory']} of memory; {told['compiler']}, {made_with}. Times are "
-            "CPU time on one thread, medians of up to five runs, where nothing else is said. Other "
-            "programs may have run beside it: what is small may be off by a fifth."
+            f"{told['processor']}, {told['memory']} of memory; {told['compiler']}, {made_with}. The load of "
+            f"the machine was {told['load']} when it began; much more than 0 means that other programs ran "
+            "beside it, and that what is small may be off by a third. Times are CPU time on one thread, "
+            "medians of up to five runs, where nothing else is said."
         ),
     ]
 
