@@ -12,7 +12,10 @@ fixed, all other nodes pulled by the same load. The residual is computed apart f
 positions alone: the largest of Σ force density · edge + load over the free nodes, as a share of the
 load. Every package that iterates is run with tolerances of its own from 10⁻² to 10⁻⁸, and the quickest
 run that reaches the residual counts. Times are CPU time on one thread, medians of repeated runs in one
-process."""
+process. A second table tells what is apart from that on the largest net that each package has solved:
+making its input of arrays, which for Funicular and jax_fdm is more than a change of form; the first run,
+which compiles where there is something to compile; and how far a node lies from the shape that the first
+package found."""
 COMPARED = {
     "force densities": """\
 **Force densities given.** compas_fd and jax_fdm solve one linear system; compas_tna finds heights alone,
@@ -25,7 +28,8 @@ longer linear.""",
 for all. compas_dr is run with its own damping and without its second criterion, which stops wherever a
 swing turns. ShapeOp has loads in its dynamic mode alone; its supports are springs of 10⁷ EA, and time
 step, damping and projections a step were chosen by trial on the smallest net, so that a better choice
-may be faster. Where a solve takes too long, larger nets are not tried.""",
+may be faster; its set-up is part of each run, as it cannot be set back. Where a solve takes too long,
+larger nets are not tried.""",
 }
 NOT_COMPARABLE = """\
 What is not compared: jax_fdm is made for gradients, compas_tna for form and force diagrams, ShapeOp for
@@ -107,12 +111,7 @@ def _apart(rows):
             ]
         )
     titles = ["on its largest net", "nodes", "set-up", "first run", "residual reached", "differs by"]
-    sentence = (
-        "Apart from that: making the package's own input of arrays, which with Funicular and jax_fdm is "
-        "more than a change of form, and the first run, which compiles where there is something to "
-        "compile. The last column is how far a node lies from the shape that the first package found."
-    )
-    return [*paragraph(sentence), *grid(titles, lines)]
+    return grid(titles, lines)
 
 
 def _distance(metres):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The sections on Funicular itself: functions of rows, as table.read gives them, to lines of Markdown."""
 
+import math
+
 from markdown import count, grid, length_text, paragraph, time_text, two_digits
 
 SCENES = {
@@ -43,7 +45,7 @@ def is_well(row):
 def targets(rows):
     """Every target of the project, and whether it is met."""
     lines, asked, met = [], 0, 0
-    for row in sorted(rows, key=lambda row: (list(KINDS).index(row["kind"]) if row["kind"] in KINDS else 0)):
+    for row in sorted(rows, key=_order):
         for name in row:
             if not name.startswith("target_") or row["kind"] == "rise":
                 continue
@@ -86,6 +88,13 @@ def targets(rows):
         *paragraph(sentence),
         *grid(["scene, what", "nodes", "measured", "target", ""], lines),
     ]
+
+
+def _order(row):
+    """By kind, size and scene; sizes that differ by less than a tenth are one."""
+    kind = list(KINDS).index(row["kind"]) if row["kind"] in KINDS else len(KINDS)
+    scene = list(SCENES).index(row["scene"]) if row["scene"] in SCENES else len(SCENES)
+    return kind, round(math.log10(row["nodes"]), 1), scene
 
 
 def _against(kind, what, value):
@@ -221,7 +230,10 @@ def effects(rows, costs):
         lines.append(
             [
                 force["scene"].replace("_", " "),
-                *(two_digits(row["ns_per_node"]) for row in (force, *tangents)),
+                *(
+                    two_digits(row["ns_per_node"]) if row["ns_per_node"] > 0.05 else "0"
+                    for row in (force, *tangents)
+                ),
                 two_digits(force["bytes_per_node"]),
             ]
         )
