@@ -45,7 +45,12 @@ def main(path, extent):
     rows = Rows(path, ("scene", "nodes", *COLUMNS))
     for name, scene in scenes.items():
         place = {"scene": name, "nodes": len(scene.net.nodes)}
-        fn.accuracy_study(scene, on_progress=lambda row: rows.add({**place, **row}), max_seconds=most_seconds)
+        fn.accuracy_study(
+            scene,
+            on_progress=lambda row: rows.add({**place, **row}),
+            max_seconds=most_seconds,
+            coarser=0,
+        )
 
 
 if __name__ == "__main__":

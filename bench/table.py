@@ -79,7 +79,7 @@ WORDS = {
     "peer",
     "version",
 }
-WORDS |= {"model", "reason"}
+WORDS |= {"model", "reason", "sentence", "dispensable"}
 UNITS = {"position_error": 1e3}  # millimetres a metre
 
 
