@@ -68,18 +68,37 @@ format: setup ## let clang-format and black rewrite the sources
 	@tools/format.sh
 
 ##@ Measuring
-# BENCH_QUICK=1 stops at 10⁴ nodes and leaves out the relaxation: minutes instead of a quarter of an hour.
-# BENCH_FILTER is a regular expression: 'cold/S/', 'factor', 'forces|tangent'. A solve that did not converge
-# (core_bench ends with 1) is for the table to tell.
+# BENCH_QUICK=1 stops at 10⁴ nodes and leaves out the relaxation: minutes instead of half an hour.
+# BENCH_FILTER is a regular expression: 'cold/S/', 'factor', 'forces|tangent'; then nothing but the core is timed, and
+# no page written. A solve that did not converge (core_bench ends with 1) is for the table to tell.
+# BENCH_PAGE says where the page goes: else a full run's is docs/performance.md, a quick one's stays in build/bench/.
 BENCH_QUICK :=
 BENCH_FILTER := .
-bench: configure ## time the core: a table, and a CSV file and a plot in build/bench/ (BENCH_QUICK=1)
+BENCH_PAGE :=
+bench_extent = $(if $(BENCH_QUICK),quick,full)
+bench: build ## time everything: tables, CSV files and plots in build/bench/, docs/performance.md (BENCH_QUICK=1)
 	@cmake --build build/release --target core_bench
 	@mkdir -p build/bench
-	build/release/bench/core_bench --extent=$(if $(BENCH_QUICK),quick,full) --csv=build/bench/results.csv \
+	@$(FREECAD) bench/machine.py build/bench/machine.json build/release/bench/core_bench \
+	    $(if $(filter .,$(BENCH_FILTER)),$(bench_extent),part)
+	build/release/bench/core_bench --extent=$(bench_extent) --csv=build/bench/results.csv \
 	    --benchmark_filter='$(BENCH_FILTER)' || test $$? -eq 1
 	@$(PYTHON) bench/table.py build/bench/results.csv
 	@$(PYTHON) bench/plot.py build/bench/results.csv build/bench/results.png
+ifeq ($(BENCH_FILTER),.)
+	$(PYTHON) bench/accuracy_curves.py build/bench/accuracy.csv $(bench_extent)
+	$(PYTHON) bench/effect_costs.py build/bench/costs.csv $(bench_extent)
+	$(FREECAD) bench/sampling.py build/bench/sampling.csv $(bench_extent)
+	$(FREECAD) bench/documents.py build/bench/documents.csv $(bench_extent)
+	@$(PYTHON) bench/page.py build/bench $(BENCH_PAGE)
+endif
+
+bench-peers: build ## time other packages, from the Python package index, on the same net; adds them to the page
+	@cmake --build build/release --target core_bench
+	@mkdir -p build/bench
+	@$(PYTHON) bench/machine.py build/bench/peers.json build/release/bench/core_bench $(bench_extent)
+	@$(PYTHON) bench/peers/run.py $(bench_extent)
+	@$(PYTHON) bench/page.py build/bench $(BENCH_PAGE)
 
 ##@ Tests
 test: lint build test-core test-sanitize test-house test-python test-freecad test-gui ## all of it: lint, build and every test below
@@ -117,5 +136,5 @@ soak: build ## random scenes and mesh files for SOAK_SECONDS (600): new ones eve
 clean: ## remove build/ and the compiled module
 	rm -rf build src/freecad_wb/funicular/_core*.so
 
-.PHONY: help demo gallery accuracy gui install setup configure build lint format bench test test-core test-sanitize test-house \
+.PHONY: help demo gallery accuracy gui install setup configure build lint format bench bench-peers test test-core test-sanitize test-house \
 	test-python test-freecad test-gui soak clean

@@ -39,21 +39,25 @@ ScenePtr scene_of(const NetPtr &net, const Effects &effects) {
         net, std::vector<Support>{{.kind = SupportKind::fixed, .nodes = net->border()}}, effects);
 }
 
-/// The members' pull, which every scene has, and a single load, without which there is nothing to solve.
+std::vector<Index> every_node(const NetPtr &net) {
+    std::vector<Index> nodes(net->node_count());
+    std::iota(nodes.begin(), nodes.end(), 0);
+    return nodes;
+}
+
+/// The members' pull, which every scene has, and loads, without which there is nothing to solve. They are at
+/// every node: under a single one the net is solved in another way, whose memory is none of the effects'.
 Effects least_effects(const NetPtr &net) {
-    return {AxialStiffness{Eigen::VectorXd::Constant(1, 1e5)},
-            PointLoad{{net->node_count() / 2}, {0, 0, -1}}};
+    return {AxialStiffness{Eigen::VectorXd::Constant(1, 1e5)}, PointLoad{every_node(net), {0, 0, -1}}};
 }
 
 std::vector<std::pair<std::string, EffectDescription>> loads(const NetPtr &net) {
-    std::vector<Index> every_node(net->node_count());
-    std::iota(every_node.begin(), every_node.end(), 0);
     return {{"member_weight", MemberWeight{12}},
             {"covering_weight_angle", CoveringWeight{30, CornerShare::angle}},
             {"covering_weight_equal", CoveringWeight{30, CornerShare::equal}},
             {"covering_weight_voronoi", CoveringWeight{30, CornerShare::voronoi}},
             {"snow", Snow{700}},
-            {"point_load", PointLoad{every_node, {0, 0, -100}}}};
+            {"point_load", PointLoad{every_node(net), {0, 0, -100}}}};
 }
 
 /// Bytes of the heap that a scene and its solver hold after a step.

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
+// core_bench --versions
 // core_bench [--extent=tiny|quick|full] [--csv=FILE] [Google Benchmark's own options, as
 // --benchmark_filter=…]
 #include "report.hpp"
 #include "solves.hpp"
 
 #include <benchmark/benchmark.h>
+
+#include <Eigen/Core>
+#ifdef FUNICULAR_BENCH_CHOLMOD
+#include <cholmod.h>
+#endif
 
 #include <unistd.h>
 
@@ -45,11 +51,32 @@ std::string taken(std::vector<char *> &arguments, const std::string &option, con
     return value;
 }
 
+/// What this was compiled by and with, one a line: name, tabulator, version.
+void print_versions() {
+#ifdef __clang__
+    std::cout << "compiler\tClang " << __clang_version__ << '\n';
+#else
+    std::cout << "compiler\tGCC " << __VERSION__ << '\n';
+#endif
+    std::cout << "Eigen\t" << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION
+              << '\n';
+#ifdef FUNICULAR_BENCH_CHOLMOD
+    std::cout << "CHOLMOD\t" << CHOLMOD_MAIN_VERSION << '.' << CHOLMOD_SUB_VERSION << '.'
+              << CHOLMOD_SUBSUB_VERSION << '\n';
+#else
+    std::cout << "CHOLMOD\tnot found\n";
+#endif
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
     run_on_one_thread(argv);
     std::vector<char *> arguments(argv, argv + argc);
+    if (arguments.size() == 2 && arguments[1] == std::string("--versions")) {
+        print_versions();
+        return 0;
+    }
     const std::string extent = taken(arguments, "extent", "full");
     const std::string path = taken(arguments, "csv", "results.csv");
     const std::map<std::string, Extent> extents{

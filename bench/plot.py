@@ -18,6 +18,7 @@ TITLES = {
     "D": "D: dome",
     "T": "T: roof of triangles",
 }
+PANEL_HEIGHT = 3.1  # inches
 SOLVE, YARDSTICK, WARM, MISSED = "#1f5fa8", "#777777", "#d9822b", "#c0392b"
 
 
@@ -77,10 +78,10 @@ def main(results, picture):
     if not scenes:
         print(f"{picture}: no cold solves to draw")
         return
-    columns = min(3, len(scenes))
+    columns = min(4, len(scenes))
     lines = -(-len(scenes) // columns)
     figure, panels = plt.subplots(
-        lines, columns, figsize=(4.2 * columns, 3.4 * lines), squeeze=False, sharex=True, sharey=True
+        lines, columns, figsize=(3.5 * columns, PANEL_HEIGHT * lines), squeeze=False, sharex=True, sharey=True
     )
     for axes in panels.flat[len(scenes) :]:
         axes.set_visible(False)
@@ -98,8 +99,8 @@ def main(results, picture):
     figure.legend(
         legend.values(), legend.keys(), loc="lower center", ncol=len(legend), frameon=False, fontsize=9
     )
-    figure.tight_layout(rect=(0, 0.3 / (3.4 * lines), 1, 1))
-    figure.savefig(picture, dpi=130)
+    figure.tight_layout(rect=(0, 0.3 / (PANEL_HEIGHT * lines), 1, 1))
+    figure.savefig(picture, dpi=100)
     print(f"drawn: {picture}")
 
 

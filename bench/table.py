@@ -66,7 +66,20 @@ KINDS = {
     ),
     "tangent": ("An effect's tangent", [("ns a node", "ns_per_node", "{:.1f}")]),
 }
-WORDS = {"kind", "scene", "backend", "status", "met"}
+WORDS = {
+    "kind",
+    "scene",
+    "backend",
+    "status",
+    "met",
+    "method",
+    "compression_only",
+    "effect",
+    "face",
+    "peer",
+    "version",
+}
+WORDS |= {"model", "reason", "sentence", "dispensable"}
 UNITS = {"position_error": 1e3}  # millimetres a metre
 
 
