@@ -69,14 +69,15 @@ class Study:
             table.writeheader()
             table.writerows(self.rows)
 
-    def plot(self, path, chosen=None):
+    def plot(self, path, chosen=None, method=None):
         """Draws time against true error, and against the estimate, into a picture file.
 
-        chosen: an accuracy [m] to be marked. The suffix of the path says what kind of picture.
+        chosen: an accuracy [m] to be marked, by that method or, without, by each. The suffix of the path says
+        what kind of picture.
         """
         from .accuracy_picture import draw
 
-        draw(self, path, chosen)
+        draw(self, path, chosen, method)
 
 
 def accuracy_study(

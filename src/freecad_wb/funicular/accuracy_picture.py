@@ -13,7 +13,7 @@ NAMES = {"auto": "Auto", "newton": "Newton, factorised", "relaxation": "Relaxati
 SMALLEST = 1e-12  # [m]
 
 
-def draw(study, path, chosen=None):
+def draw(study, path, chosen=None, method=None):
     """Draws a Study; see Study.plot."""
     by_step = study.of_net is not None and len(study.rows_of_own_step()) < len(study.rows)
     figure = Figure(figsize=(14.0 if by_step else 9.0, 5.6), dpi=140, facecolor=PAPER)
@@ -21,7 +21,7 @@ def draw(study, path, chosen=None):
     # The same place on the paper whether or not there is a second picture beside it.
     share = 9.0 / 14.0 if by_step else 1.0
     axes = figure.add_axes([0.13 * share, 0.12, 0.84 * share, 0.68], facecolor="white")
-    draw_on(axes, study.rows_of_own_step(), chosen)
+    draw_on(axes, study.rows_of_own_step(), chosen, method)
     heading(
         figure,
         0.13 * share,
@@ -79,8 +79,8 @@ def draw_steps_on(axes, rows, chosen=None, in_words=None):
 def draw_on(axes, rows, chosen=None, method=None, in_words=None, columns=3):
     """Draws the rows of a Study that converged on matplotlib's axes.
 
-    chosen: an accuracy [m] to be marked, of one method or, without, of all. in_words(metres): how lengths are
-    written; length_text unless given. columns: of the legend.
+    chosen, method: see Study.plot. in_words(metres): how lengths are written; length_text unless given.
+    columns: of the legend.
     """
     in_words = in_words or length_text
     for name in dict.fromkeys(row["method"] for row in rows):
@@ -109,16 +109,27 @@ def _prepare(axes, in_words):
         axes.spines[side].set_visible(False)
 
 
+def place_of(row):
+    """(distance from equilibrium [m], time [s]) at which a row of a Study is drawn."""
+    return max(row["true_error"], SMALLEST), row["seconds"]
+
+
+def mark(axes, row):
+    """Draws a ring around the point of a row."""
+    axes.plot(
+        *([value] for value in place_of(row)), "o", markersize=15, fillstyle="none", color=INK, zorder=4
+    )
+
+
 def _draw_method(axes, method, rows, chosen, in_words):
     colour = COLOURS.get(method, INK)
-    seconds = [row["seconds"] for row in rows]
-    true = [max(row["true_error"], SMALLEST) for row in rows]
+    true, seconds = zip(*map(place_of, rows))
     told = [max(row["estimated_error"], SMALLEST) for row in rows]
     axes.plot(true, seconds, "o-", color=colour, label=NAMES.get(method, method), zorder=3)
     axes.plot(told, seconds, "s--", color=colour, markersize=4, linewidth=1, alpha=0.7, zorder=2)
     for row, error, time in zip(rows, true, seconds):
         if row["accuracy"] == chosen:
-            axes.plot([error], [time], "o", markersize=15, fillstyle="none", color=INK, zorder=4)
+            mark(axes, row)
             axes.annotate(
                 f"{in_words(chosen)} asked: {time_text(time)}",
                 (error, time),

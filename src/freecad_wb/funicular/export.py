@@ -165,14 +165,15 @@ def to_be_studied(shell):
 def study_accuracy(shell, stem, **options):
     """Measure what accuracy costs a Gridshell; write `<stem>.csv` and `<stem>.png`, and return the Study.
 
-    The picture marks the gridshell's own Accuracy. options: those of fn.accuracy_study, such as accuracies
-    [m] and methods, in place of what to_be_studied() gives. Raises InvalidInput as that does and where there
-    is no equilibrium to measure against, OSError if a file cannot be written.
+    The picture marks the gridshell's own Accuracy and Method. options: those of fn.accuracy_study, such as
+    accuracies [m] and methods, in place of what to_be_studied() gives. Raises InvalidInput as that does and
+    where there is no equilibrium to measure against, OSError if a file cannot be written.
     """
     scene, of_shell = to_be_studied(shell)
     study = fn.accuracy_study(scene, **{**of_shell, **options})
     study.write(f"{os.fspath(stem)}.csv")
-    study.plot(f"{os.fspath(stem)}.png", chosen=solver_options(shell)["accuracy"])
+    own = solver_options(shell)
+    study.plot(f"{os.fspath(stem)}.png", chosen=own["accuracy"], method=own["method"])
     return study
 
 

@@ -31,7 +31,8 @@ def run():
         order = json.loads(os.environ["FUNICULAR_GUI_CASES"])
         inside = order["inside"]
         cases = [os.path.join(inside, case) for case in order["cases"]]
-        options = ["-p", "no:cacheprovider", "-o", "python_files=*.py", "--rootdir", inside, "-c", os.devnull]
+        # Files that are named are collected; a pattern for all would have pytest rewrite every library too.
+        options = ["-p", "no:cacheprovider", "--rootdir", inside, "-c", os.devnull]
         code = pytest.main(options + ["--tb=short", "-q"] + cases, plugins=[Recorder(order["results"])])
     finally:
         sys.stdout.flush()

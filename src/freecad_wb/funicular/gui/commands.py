@@ -205,6 +205,42 @@ class CoveringCommand:
         _made_in_one_step(shell.Document, translate("Covering"), lambda: make_covering(shell.Document, shell))
 
 
+class AccuracyStudyCommand:
+    """Selected Gridshell → the dock that measures what accuracy costs it; the document stays as it is."""
+
+    NAME = "Funicular_AccuracyStudy"
+
+    def GetResources(self):
+        what = QT_TRANSLATE_NOOP(
+            "Funicular_AccuracyStudy",
+            "Measure how long the selected gridshell takes at several accuracies, and choose one.\n"
+            "Select one Gridshell in the tree or in the 3D view, then run this command.",
+        )
+        return {
+            "Pixmap": icon(self.NAME),
+            "MenuText": QT_TRANSLATE_NOOP("Funicular_AccuracyStudy", "What accuracy costs"),
+            "ToolTip": what,
+            "WhatsThis": self.NAME,
+            "StatusTip": what,
+            "Accel": "G, A",
+        }
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
+
+    def Activated(self):
+        from funicular.gui.task_panel import show_message
+
+        try:
+            shell = the_gridshell()
+            # Matplotlib is not loaded before it is needed, and may be missing.
+            from funicular.gui import accuracy_dock
+        except (WrongSelection, ImportError) as error:
+            show_message(str(error))
+            return
+        accuracy_dock.show(shell)
+
+
 def _made_in_one_step(document, title, make):
     """What `make` adds, recomputed, in one undo step; None, and a message, where it comes to nothing."""
     from funicular.gui.task_panel import show_message
@@ -273,5 +309,6 @@ def _round_down(length):
 
 
 COMMANDS = {
-    command.NAME: command() for command in (GridshellCommand, SheetCommand, SupportCommand, CoveringCommand)
+    command.NAME: command()
+    for command in (GridshellCommand, SheetCommand, SupportCommand, CoveringCommand, AccuracyStudyCommand)
 }

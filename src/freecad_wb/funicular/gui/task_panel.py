@@ -42,26 +42,18 @@ def show_message(sentence):
         FreeCADGui.Control.showDialog(MessagePanel(sentence))
 
 
-class ResultLine(QtWidgets.QLabel):
-    """One sentence with a symbol and a colour, so that neither is needed to read the other."""
+class WrappedText(QtWidgets.QLabel):
+    """Text as wide as where it stands, and never cut off: it insists on the height that it needs."""
 
-    def __init__(self):
-        super().__init__()
-        self.setObjectName("ResultLine")
+    LEAST_LINES = 1
+
+    def __init__(self, text=""):
+        super().__init__(text)
         self.setWordWrap(True)
         self.setTextFormat(QtCore.Qt.PlainText)
-        self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        # Room for three lines or more, so that inputs below seldom jump, and as narrow as the panel is.
         self._make_room()
         self.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.MinimumExpanding)
         self.setAlignment(QtCore.Qt.AlignTop | QtCore.Qt.AlignLeft)
-
-    def say(self, kind, sentence):
-        symbol, on_light, on_dark = kind
-        window = self.palette().color(QtGui.QPalette.Window)
-        self.setStyleSheet(f"color: {on_light if window.lightness() > 127 else on_dark}")
-        self.setText(f"{symbol} {sentence}")
-        self._make_room()
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
@@ -69,8 +61,27 @@ class ResultLine(QtWidgets.QLabel):
 
     def _make_room(self):
         """A panel that scrolls gives a label no more height than it insists on."""
-        lines = 3 * self.fontMetrics().lineSpacing()
+        lines = self.LEAST_LINES * self.fontMetrics().lineSpacing()
         self.setMinimumHeight(max(lines, self.heightForWidth(self.width())))
+
+
+class ResultLine(WrappedText):
+    """One sentence with a symbol and a colour, so that neither is needed to read the other."""
+
+    # Room for three lines or more, so that inputs below seldom jump.
+    LEAST_LINES = 3
+
+    def __init__(self):
+        super().__init__()
+        self.setObjectName("ResultLine")
+        self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+
+    def say(self, kind, sentence):
+        symbol, on_light, on_dark = kind
+        window = self.palette().color(QtGui.QPalette.Window)
+        self.setStyleSheet(f"color: {on_light if window.lightness() > 127 else on_dark}")
+        self.setText(f"{symbol} {sentence}")
+        self._make_room()
 
 
 class Heading(QtWidgets.QLabel):
