@@ -14,7 +14,7 @@ INSIDE_FREECAD = ["/usr/bin/python3", "tools/freecad_run.py"]
 
 
 def test_scripts_are_short():
-    assert len(SCRIPTS) == 3 and all(len(script.strip().splitlines()) <= 5 for script in SCRIPTS)
+    assert len(SCRIPTS) == 3 and all(len(script.strip().splitlines()) <= 6 for script in SCRIPTS)
 
 
 @pytest.mark.parametrize(

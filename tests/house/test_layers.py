@@ -9,10 +9,8 @@ NUMERIC = [rules.PACKAGE / "__init__.py", rules.PACKAGE / "_native.py", rules.PA
 NUMERIC += rules.sources(".py", under=rules.PACKAGE / "files")
 MESHES_AND_WIRES = "topology wording mesh_repair mesh_source crossings curves cycles wireframe"
 NUMERIC += [rules.PACKAGE / f"{name}.py" for name in MESHES_AND_WIRES.split()]
-NUMERIC += [
-    rules.PACKAGE / f"{name}.py"
-    for name in ("accuracy", "accuracy_picture", "discretisation", "effect_costs")
-]
+PRICES = "accuracy accuracy_picture cheapest_settings discretisation effect_costs prediction prediction_cache"
+NUMERIC += [rules.PACKAGE / f"{name}.py" for name in ("panels", *PRICES.split())]
 SOLVER = {"equilibrium", "newton", "relaxation", "solve", "solver"}
 
 

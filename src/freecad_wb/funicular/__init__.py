@@ -36,8 +36,11 @@ _NUMERIC_API = (
 # What is written in Python on top of them, by module.
 _IN_PYTHON = {
     "accuracy_study": "accuracy",
+    "calibrate": "prediction",
+    "cheapest": "cheapest_settings",
     "effect_study": "effect_costs",
     "net_error": "discretisation",
+    "predict": "prediction",
 }
 
 __all__ = [*_NUMERIC_API, *_IN_PYTHON]

@@ -5,6 +5,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from .wording import length_text, time_text
+
 PAPER, INK, QUIET = "#f4f3ef", "#22262b", "#6b7178"
 COLOURS = {"auto": "#1f5fa8", "newton": "#2e8b57", "relaxation": "#c0562f"}
 NAMES = {"auto": "Auto", "newton": "Newton, factorised", "relaxation": "Relaxation (Brivio et al. 2009)"}
@@ -138,18 +140,3 @@ def _draw_method(axes, method, rows, chosen, in_words):
                 fontsize=9,
                 color=INK,
             )
-
-
-def length_text(metres):
-    """1 mm, 10 µm, 1 nm."""
-    for unit, size in (("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9), ("pm", 1e-12)):
-        if metres >= 0.9995 * size:
-            return f"{metres / size:.3g} {unit}"
-    return f"{metres:.0e} m"
-
-
-def time_text(seconds):
-    """12 s, 35 ms, 0.4 ms."""
-    if seconds >= 0.9995:
-        return f"{seconds:.0f} s" if seconds >= 9.95 else f"{seconds:.2g} s"
-    return f"{seconds * 1e3:.0f} ms" if seconds >= 0.00995 else f"{seconds * 1e3:.2g} ms"

@@ -12,7 +12,7 @@ import numpy as np
 
 import funicular as fn
 
-from .accuracy_picture import length_text
+from .wording import length_text
 
 # Columns of a row, in the order of the file.
 COLUMNS = (
@@ -87,15 +87,19 @@ class EffectStudy:
         return "\n".join(lines)
 
 
-def effect_study(scene, accuracy=1e-3, on_progress=None, max_seconds=60.0):
+def effect_study(scene, accuracy=1e-3, on_progress=None, max_seconds=60.0, on_report=None):
     """The EffectStudy of a scene: what each effect costs, and how far the shape moves without it.
 
     scene: a Scene. accuracy: [m], also of the solves. on_progress(row) is called with each row as it is
-    measured; returning False ends the study there. max_seconds: for each solve.
+    measured; returning False ends the study there. max_seconds: for each solve. on_report(report) is called
+    within each solve as fn.solve calls its on_progress; returning False ends the study there.
 
     Raises InvalidInput where the scene has no equilibrium that is found.
     """
-    whole = _solved(scene, accuracy, max_seconds)
+    options = {"accuracy": accuracy, "max_seconds": max_seconds, "on_progress": on_report}
+    whole = _solved(scene, options)
+    if whole.status == "cancelled":
+        return EffectStudy(accuracy, cancelled=True)
     if whole.status != "converged":
         raise fn.InvalidInput(f"the scene has no shape to measure against: {whole.message}")
     study = EffectStudy(accuracy, whole.seconds)
@@ -110,7 +114,10 @@ def effect_study(scene, accuracy=1e-3, on_progress=None, max_seconds=60.0):
             "bytes": memory[name],
             "dispensable": False,
         }
-        row |= _without(scene, name, whole, accuracy, max_seconds)
+        row |= _without(scene, name, whole, options)
+        if row.pop("cancelled", False):
+            study.cancelled = True
+            break
         study.rows.append(row)
         if on_progress is not None and on_progress(row) is False:
             study.cancelled = True
@@ -118,7 +125,7 @@ def effect_study(scene, accuracy=1e-3, on_progress=None, max_seconds=60.0):
     return study
 
 
-def _without(scene, name, whole, accuracy, max_seconds):
+def _without(scene, name, whole, options):
     """What a row says of the scene without the effects of that name."""
     if name == "axial":
         return {"sentence": ""}
@@ -126,7 +133,9 @@ def _without(scene, name, whole, accuracy, max_seconds):
     if all(isinstance(effect, fn.AxialStiffness) for effect in kept):
         return {"sentence": f"{NAMES[name]}: all the load there is"}
     bare = fn.Scene(scene.net, scene.supports, kept, scene.rest_lengths)
-    result = _solved(bare, accuracy, max_seconds)
+    result, accuracy = _solved(bare, options), options["accuracy"]
+    if result.status == "cancelled":
+        return {"cancelled": True}
     if result.status != "converged":
         return {"sentence": f"without {NAMES[name]}: {result.message}"}
     saved = 1.0 - result.seconds / whole.seconds
@@ -151,10 +160,12 @@ def _faster(saved):
     return f"{percent} % faster" if percent > 0 else f"{-percent} % slower"
 
 
-def _solved(scene, accuracy, max_seconds):
+def _solved(scene, options):
     """The Result of the shortest of some solves."""
-    best = fn.solve(scene, accuracy=accuracy, max_seconds=max_seconds)
-    for _ in range(REPEATS - 1 if best.seconds < SHORT else 0):
-        again = fn.solve(scene, accuracy=accuracy, max_seconds=max_seconds)
+    best = fn.solve(scene, **options)
+    for _ in range(REPEATS - 1 if best.seconds < SHORT and best.status == "converged" else 0):
+        again = fn.solve(scene, **options)
+        if again.status == "cancelled":
+            return again
         best = min(best, again, key=lambda result: result.seconds)
     return best

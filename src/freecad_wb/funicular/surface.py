@@ -130,11 +130,7 @@ def make_chart(area, name, point, measure, knots):
             f"{name} has points that are not finite: check the shape (Part, Check geometry)"
         )
     size = float(np.linalg.norm(np.ptp(points.reshape(-1, 3), axis=0)))
-    if (
-        size == 0.0
-        or abs(area) <= COINCIDENT**2 * size**2
-        or _area(points) <= COINCIDENT * size**2
-    ):
+    if size == 0.0 or abs(area) <= COINCIDENT**2 * size**2 or _area(points) <= COINCIDENT * size**2:
         raise fn.InvalidInput(f"{name} has no area: pick a face that spans a surface")
 
     poles = frozenset(

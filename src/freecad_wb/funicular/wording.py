@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Words that remarks and errors share: how many, which, and whether that is one or several."""
+"""Words that remarks and errors share: how many, which, whether that is one or several, how long."""
 
 
 def counted(number, one, several=None):
@@ -20,3 +20,18 @@ def listed(numbers, last=", ", most=8):
     if len(numbers) > most:
         words.append(f"{len(numbers) - most} more")
     return last.join([", ".join(words[:-1]), words[-1]]) if len(words) > 1 else "".join(words)
+
+
+def length_text(metres):
+    """1 mm, 10 µm, 1 nm."""
+    for unit, size in (("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9), ("pm", 1e-12)):
+        if metres >= 0.9995 * size:
+            return f"{metres / size:.3g} {unit}"
+    return f"{metres:.0e} m"
+
+
+def time_text(seconds):
+    """12 s, 35 ms, 0.4 ms."""
+    if seconds >= 0.9995:
+        return f"{seconds:.0f} s" if seconds >= 9.95 else f"{seconds:.2g} s"
+    return f"{seconds * 1e3:.0f} ms" if seconds >= 0.00995 else f"{seconds * 1e3:.2g} ms"

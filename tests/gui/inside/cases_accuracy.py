@@ -8,7 +8,8 @@ import FreeCADGui as Gui
 import pytest
 from funicular.accuracy import ACCURACIES, METHODS
 from funicular.gui import accuracy_dock
-from funicular.gui.accuracy_plot import length_in_words, row_in_words
+from funicular.gui.accuracy_plot import row_in_words
+from funicular.gui.lengths import length_in_words
 from funicular.gui.commands import COMMANDS
 from funicular.make import make_gridshell
 from window import (

@@ -9,6 +9,7 @@ from funicular.gui.inputs import SECTIONS, counts
 from window import (
     QtCore,
     QtWidgets,
+    child,
     clear_report_view,
     double_click_in_tree,
     edit_again,
@@ -23,6 +24,7 @@ from window import (
     settle,
     type_into,
     wait_for_result,
+    wait_until,
 )
 
 
@@ -463,3 +465,39 @@ def test_a_mesh_file_has_its_own_inputs(document, tmp_path):
     wait_for_result(before)
     assert shell.Net.NodeCount == 9 * 5
     press("Ok")
+
+
+def label(name):
+    return child(QtWidgets.QLabel, name)
+
+
+def test_the_price_of_an_accuracy_is_told_beside_it(opened, pictures):
+    wait_until(lambda: "overall: step" in (label("PriceTag").text() or ""), "a price")
+    about, overall = label("PriceTag").text().split("\n")
+    assert about.startswith("about ") and overall.startswith("1 mm overall: step ")
+    assert label("PriceTag").height() >= label("PriceTag").heightForWidth(label("PriceTag").width())
+    type_into(panel_box("Accuracy"), "20 mm")
+    wait_until(lambda: label("PriceTag").text().split("\n")[-1].startswith("20 mm overall"), "a new price")
+    Gui.getMainWindow().grab().save(str(pictures / "panel_with_price.png"))
+    panel_box("Method").setCurrentText("Newton")
+    wait_until(lambda: label("PriceTag").text() == "", "no price for another method")
+    press("Ok")
+
+
+def test_what_effects_cost_is_told_at_the_press_of_a_button(opened, pictures):
+    before = result_line()
+    type_into(panel_box("Snow"), "0.8 kN/m²")
+    wait_for_result(before)
+    child(QtWidgets.QPushButton, "EffectCosts").click()
+    wait_until(lambda: label("EffectList") and "Snow: " in label("EffectList").text(), "what effects cost")
+    told = label("EffectList").text().split("\n")
+    assert len(told) == 4 and all("calls" in line for line in told)
+    assert "Without it" in told[-1] and "the shape moves by" in told[-1]
+    assert child(QtWidgets.QPushButton, "EffectCosts").isEnabled()
+    Gui.getMainWindow().grab().save(str(pictures / "panel_with_effects.png"))
+    before = result_line()
+    type_into(panel_box("Snow"), "0.1 kN/m²")
+    wait_for_result(before)
+    assert label("EffectList") is None, "of the scene before"
+    child(QtWidgets.QPushButton, "EffectCosts").click()
+    press("Cancel")

@@ -9,15 +9,16 @@ import FreeCAD
 import FreeCADGui
 
 from funicular.accuracy import METHODS
-from funicular.accuracy_picture import time_text
+from funicular.wording import time_text
 from funicular.export import to_be_studied
 from funicular.features.feature import reason
 from funicular.features.gridshell import METRES
-from funicular.gui.accuracy_plot import AccuracyPlot, length_in_words, row_in_words
+from funicular.gui.accuracy_plot import AccuracyPlot, row_in_words
 from funicular.gui.inputs import expression_of
+from funicular.gui.lengths import length_in_words
 from funicular.gui.measuring import Measurement
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
-from funicular.gui.task_panel import BUSY, DOUBTFUL, GOOD, WRONG, ResultLine, WrappedText
+from funicular.gui.texts import BUSY, DOUBTFUL, GOOD, WRONG, ResultLine, WrappedText
 
 # How often the window looks what has been measured, and draws it at the most [s]: a picture may take longer
 # than many a solve.

@@ -6,16 +6,15 @@ Neither pyplot nor matplotlib.use is called: which backend FreeCAD's own Plot dr
 
 import math
 
-import FreeCAD
-
 # Matplotlib takes the Qt binding that is loaded, which is FreeCAD's: of Qt 5 or of Qt 6.
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
-from funicular.accuracy_picture import INK, PAPER, draw_on, mark, place_of, time_text
-from funicular.features.gridshell import METRES
+from funicular.accuracy_picture import INK, PAPER, draw_on, mark, place_of
+from funicular.gui.lengths import length_in_words
 from funicular.gui.qt import QtCore, QtGui, QtWidgets, translate
+from funicular.wording import time_text
 
 if not issubclass(FigureCanvasQTAgg, QtWidgets.QWidget):
     raise ImportError(
@@ -39,13 +38,6 @@ SPARE = 0.08
 
 # How near to a point counts as on it, in pixels of the figure.
 REACH = 12.0
-
-
-def length_in_words(metres):
-    """1 mm, 10 µm, 0.0394 in: three digits in the user's unit schema; FreeCAD itself would round to zero."""
-    length = FreeCAD.Units.Quantity(metres / METRES, FreeCAD.Units.Length)
-    _, size, unit = length.getUserPreferred()
-    return f"{length.Value / size:.3g} {unit}"
 
 
 def row_in_words(row):

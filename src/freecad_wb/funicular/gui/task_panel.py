@@ -8,6 +8,7 @@ another command ends it, that ends the panel.
 import FreeCAD
 import FreeCADGui
 
+from funicular.gui.effect_list import EffectList
 from funicular.gui.icons import icon
 from funicular.gui.inputs import SECTIONS, counts, expression_of, make_input, show_value
 from funicular.gui.picking import (
@@ -17,17 +18,13 @@ from funicular.gui.picking import (
     is_mesh_source,
     the_faces,
 )
+from funicular.gui.price_tag import PriceTag
 from funicular.gui.qt import QtCore, QtGui, QtWidgets, translate
+from funicular.gui.texts import BUSY, DOUBTFUL, GOOD, WRONG, Heading, ResultLine
 
 # After the last keystroke: long enough not to solve for each digit of a number, short enough to feel
 # immediate.
 PAUSE_MS = 300
-
-# A symbol, and its colour on a light and on a dark window.
-GOOD = ("✔", "#2e7d32", "#81c784")
-DOUBTFUL = ("⚠", "#945200", "#ffb74d")
-WRONG = ("✖", "#c62828", "#ff8a80")
-BUSY = ("…", "#555555", "#bbbbbb")
 
 
 def report(sentence):
@@ -40,59 +37,6 @@ def show_message(sentence):
     report(sentence)
     if not FreeCADGui.Control.activeDialog():
         FreeCADGui.Control.showDialog(MessagePanel(sentence))
-
-
-class WrappedText(QtWidgets.QLabel):
-    """Text as wide as where it stands, and never cut off: it insists on the height that it needs."""
-
-    LEAST_LINES = 1
-
-    def __init__(self, text=""):
-        super().__init__(text)
-        self.setWordWrap(True)
-        self.setTextFormat(QtCore.Qt.PlainText)
-        self._make_room()
-        self.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.MinimumExpanding)
-        self.setAlignment(QtCore.Qt.AlignTop | QtCore.Qt.AlignLeft)
-
-    def resizeEvent(self, event):
-        super().resizeEvent(event)
-        self._make_room()
-
-    def _make_room(self):
-        """A panel that scrolls gives a label no more height than it insists on."""
-        lines = self.LEAST_LINES * self.fontMetrics().lineSpacing()
-        self.setMinimumHeight(max(lines, self.heightForWidth(self.width())))
-
-
-class ResultLine(WrappedText):
-    """One sentence with a symbol and a colour, so that neither is needed to read the other."""
-
-    # Room for three lines or more, so that inputs below seldom jump.
-    LEAST_LINES = 3
-
-    def __init__(self):
-        super().__init__()
-        self.setObjectName("ResultLine")
-        self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-
-    def say(self, kind, sentence):
-        symbol, on_light, on_dark = kind
-        window = self.palette().color(QtGui.QPalette.Window)
-        self.setStyleSheet(f"color: {on_light if window.lightness() > 127 else on_dark}")
-        self.setText(f"{symbol} {sentence}")
-        self._make_room()
-
-
-class Heading(QtWidgets.QLabel):
-    """Title of a group of inputs."""
-
-    def __init__(self, text):
-        super().__init__(text)
-        font = self.font()
-        font.setBold(True)
-        self.setFont(font)
-        self.setContentsMargins(0, 2, 0, 0)
 
 
 class MessagePanel:
@@ -237,6 +181,8 @@ class GridshellPanel:
         column = QtWidgets.QVBoxLayout(form)
         column.setContentsMargins(0, 0, 0, 0)
         self.line = ResultLine()
+        self.price = PriceTag()
+        self.effects = EffectList(self._scene_and_accuracy)
         column.addWidget(self.line)
         net = self._shell.Net
         # A sheet is a net without a source, and its size an input like any other.
@@ -267,10 +213,13 @@ class GridshellPanel:
                 widget = make_input(obj, name, self._setter(obj, name), self._unread(name))
                 inputs.addRow(translate(label), widget)
                 self._rows.append((inputs.labelForField(widget), widget, obj, name))
+                if name == "Accuracy":
+                    inputs.addRow("", self.price)
                 if expression_of(obj, name):
                     self._driven.append((widget, obj, name))
                 inputs.labelForField(widget).setToolTip(widget.toolTip())
         self._show_what_counts()
+        inputs.addRow(self.effects)
         return form
 
     def _show_what_counts(self):
@@ -345,6 +294,7 @@ class GridshellPanel:
         if self._unreadable:
             self._say_what_is_unreadable()
             return
+        self.effects.stop()
         self.line.say(BUSY, translate("Solving"))
         self.line.repaint()
         self._document.recompute()
@@ -361,6 +311,7 @@ class GridshellPanel:
                 kept = "" if self._shell.Shape.isNull() else " " + translate("(The last good shape stays.)")
                 self.line.say(WRONG, obj.getStatusString() + self._remedy(obj) + kept)
                 return
+        self._ask_price()
         sentence = result_line(self._shell)
         if self._shell.Net is not None and self._shell.Net.Remarks:
             # What came out otherwise than it was asked for.
@@ -372,6 +323,19 @@ class GridshellPanel:
         else:
             self.line.say(GOOD, sentence)
 
+    def _ask_price(self):
+        # Of the other methods no price is known.
+        if self._shell.Method == "Auto" and self._shell.Status == "converged":
+            self.price.ask(*self._scene_and_accuracy(), self._shell.Seconds)
+        else:
+            self.price.stop()
+
+    def _scene_and_accuracy(self):
+        """(fn.Scene, accuracy [m]) as the properties are."""
+        from funicular.features.gridshell import scene_of, solver_options
+
+        return scene_of(self._shell), solver_options(self._shell)["accuracy"]
+
     def _remedy(self, obj):
         if obj == self._shell or "pick" not in obj.getStatusString():
             return ""
@@ -380,6 +344,8 @@ class GridshellPanel:
     def _leave(self):
         """Stop following the document, which may be about to go; returns it."""
         self._pause.stop()
+        self.price.stop()
+        self.effects.stop()
         FreeCAD.removeDocumentObserver(self)
         document, self._document, self._shell = self._document, None, None
         return document

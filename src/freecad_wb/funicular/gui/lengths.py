@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lengths as the user's unit schema writes them."""
+
+import FreeCAD
+
+from funicular.features.gridshell import METRES
+
+
+def length_in_words(metres):
+    """1 mm, 10 µm, 0.0394 in: three digits in the user's unit schema; FreeCAD itself would round to zero."""
+    length = FreeCAD.Units.Quantity(metres / METRES, FreeCAD.Units.Length)
+    _, size, unit = length.getUserPreferred()
+    return f"{length.Value / size:.3g} {unit}"

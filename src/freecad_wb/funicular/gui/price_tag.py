@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the wished accuracy will cost, beside its input: found in a thread, so that the panel never waits."""
+
+import funicular as fn
+from funicular.gui.background import Background
+from funicular.gui.lengths import length_in_words
+from funicular.gui.qt import translate
+from funicular.gui.texts import WrappedText
+from funicular.wording import time_text
+
+
+class PriceTag(WrappedText):
+    """Two quiet lines: "about 0.2 s", "1 mm overall: step 40 cm, 50 ms". Empty until something is known."""
+
+    def __init__(self):
+        super().__init__()
+        self.setObjectName("PriceTag")
+        # As quiet as an input that is switched off.
+        self.setEnabled(False)
+        self.setToolTip(
+            translate(
+                "What a solve to this accuracy takes, as predicted. Below it the largest step that brings "
+                "the net as near to the smooth surface that it stands for, which is no error where members "
+                "are the straight beams that will be built."
+            )
+        )
+        self._background = Background(self, self.setText)
+
+    def ask(self, scene, accuracy, seconds):
+        """Find the price of a scene. accuracy: [m]. seconds: what its last solve took, to learn from."""
+        self._background.ask(lambda is_wanted: _price_in_words(scene, accuracy, seconds, is_wanted))
+
+    def stop(self):
+        """No price is wanted any more."""
+        self._background.stop()
+        self.setText("")
+
+
+def _price_in_words(scene, accuracy, seconds, is_wanted):
+    """Empty where no price can be told: it is a service, and the solve itself says what is wrong."""
+    try:
+        price = fn.predict(scene, accuracy)
+        price.observe(seconds)
+    except Exception:
+        return ""
+    words = translate("about {}").format(time_text(price.seconds))
+    if not is_wanted():
+        return words
+    try:
+        settings = fn.cheapest(scene, accuracy)
+    except Exception:
+        # No lattice, or no smooth surface: then there is no step to tell.
+        return words
+    return f"{words}\n" + translate("{} overall: step {}, {}").format(
+        length_in_words(accuracy), length_in_words(settings.step), time_text(settings.seconds)
+    )
