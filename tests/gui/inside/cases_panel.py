@@ -478,7 +478,7 @@ def test_the_price_of_an_accuracy_is_told_beside_it(opened, pictures):
     assert label("PriceTag").height() >= label("PriceTag").heightForWidth(label("PriceTag").width())
     type_into(panel_box("Accuracy"), "20 mm")
     wait_until(lambda: label("PriceTag").text().split("\n")[-1].startswith("20 mm overall"), "a new price")
-    Gui.getMainWindow().grab().save(str(pictures / "panel_with_price.png"))
+    label("PriceTag").parentWidget().grab().save(str(pictures / "panel_with_price.png"))
     panel_box("Method").setCurrentText("Newton")
     wait_until(lambda: label("PriceTag").text() == "", "no price for another method")
     press("Ok")
@@ -494,7 +494,8 @@ def test_what_effects_cost_is_told_at_the_press_of_a_button(opened, pictures):
     assert len(told) == 4 and all("calls" in line for line in told)
     assert "Without it" in told[-1] and "the shape moves by" in told[-1]
     assert child(QtWidgets.QPushButton, "EffectCosts").isEnabled()
-    Gui.getMainWindow().grab().save(str(pictures / "panel_with_effects.png"))
+    settle()
+    panel_box("StepU").parentWidget().grab().save(str(pictures / "panel_with_effects.png"))
     before = result_line()
     type_into(panel_box("Snow"), "0.1 kN/m²")
     wait_for_result(before)

@@ -5,7 +5,7 @@ import funicular as fn
 from funicular.gui.background import Background
 from funicular.gui.lengths import length_in_words
 from funicular.gui.qt import translate
-from funicular.gui.texts import WrappedText
+from funicular.gui.texts import BUSY, WrappedText
 from funicular.wording import time_text
 
 
@@ -15,8 +15,7 @@ class PriceTag(WrappedText):
     def __init__(self):
         super().__init__()
         self.setObjectName("PriceTag")
-        # As quiet as an input that is switched off.
-        self.setEnabled(False)
+        self.set_colour(BUSY)
         self.setToolTip(
             translate(
                 "What a solve to this accuracy takes, as predicted. Below it the largest step that brings "

@@ -23,6 +23,12 @@ class WrappedText(QtWidgets.QLabel):
         self.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.MinimumExpanding)
         self.setAlignment(QtCore.Qt.AlignTop | QtCore.Qt.AlignLeft)
 
+    def set_colour(self, kind):
+        """The colour of GOOD, DOUBTFUL, WRONG or BUSY, as it can be read on this window."""
+        _, on_light, on_dark = kind
+        window = self.palette().color(QtGui.QPalette.Window)
+        self.setStyleSheet(f"color: {on_light if window.lightness() > 127 else on_dark}")
+
     def setText(self, text):
         super().setText(text)
         self._make_room()
@@ -49,10 +55,8 @@ class ResultLine(WrappedText):
         self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
 
     def say(self, kind, sentence):
-        symbol, on_light, on_dark = kind
-        window = self.palette().color(QtGui.QPalette.Window)
-        self.setStyleSheet(f"color: {on_light if window.lightness() > 127 else on_dark}")
-        self.setText(f"{symbol} {sentence}")
+        self.set_colour(kind)
+        self.setText(f"{kind[0]} {sentence}")
 
 
 class Heading(QtWidgets.QLabel):
