@@ -33,7 +33,7 @@ class Places:
 
     def nearest_groups(self, groups, places):
         """Of groups of nodes, the one whose middle is nearest to each of some places (u, v)."""
-        middles = self._middles(groups)
+        middles = self.middles(groups)
         return [self._nearest(middles, place, np.zeros(middles.shape, dtype=bool)) for place in places]
 
     def _anywhere(self):
@@ -49,7 +49,7 @@ class Places:
         away = np.where(self.closed, np.minimum(away, np.abs(1.0 - away)), away)
         return int(np.argmin((np.where(anywhere, 0.0, away) ** 2).sum(axis=1)))
 
-    def _middles(self, groups):
+    def middles(self, groups):
         """(k, 2) middles of groups of nodes, also across a seam; a pole counts in one direction only."""
         nodes, sizes = topology.flat(groups)
         begin, group = np.cumsum(sizes) - sizes, np.repeat(np.arange(len(sizes)), sizes)

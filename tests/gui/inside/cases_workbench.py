@@ -17,7 +17,7 @@ from window import (
     wait_until,
 )
 
-TITLES = ["Gridshell", "Flat sheet", "Support", "Covering", "What accuracy costs"]
+TITLES = ["Gridshell", "Flat sheet", "Support", "Covering", "Raise", "Take out", "What accuracy costs"]
 
 
 def test_workbench_has_an_icon_a_toolbar_and_a_menu(workbench):

@@ -111,13 +111,19 @@ def at_picks(shell, elements, points):
         return {"Where": ELEMENTS, "Elements": elements}
     if not points:
         return {"Where": "Boundary"}
+    picked = nodes_at(shell, points)
+    if shell.Net.NodePlaces:
+        return {"Where": POINTS, "Points": [shell.Net.NodePlaces[node] for node in picked]}
+    numbers = shell.Net.NodeNumbers or range(shell.Net.NodeCount)
+    return {"Where": NODES, "Nodes": [int(numbers[node]) for node in picked]}
+
+
+def nodes_at(shell, points):
+    """Numbers of the nodes of a Gridshell nearest to some points (App.Vector) in the document, each once."""
     placed = shell.getGlobalPlacement()
     nodes = np.array([tuple(placed.multVec(node)) for node in shell.NodePositions])
     picked = [int(np.argmin(np.linalg.norm(nodes - tuple(point), axis=1))) for point in points]
-    if shell.Net.NodePlaces:
-        return {"Where": POINTS, "Points": [shell.Net.NodePlaces[node] for node in picked]}
-    numbers = shell.Net.NodeNumbers or range(len(nodes))
-    return {"Where": NODES, "Nodes": [int(numbers[node]) for node in picked]}
+    return list(dict.fromkeys(picked))
 
 
 def net_of_support(obj):

@@ -6,6 +6,7 @@ import math
 import FreeCAD
 import FreeCADGui
 
+from funicular.gui.edit_commands import RaiseCommand, TakeOutCommand
 from funicular.gui.icons import icon
 from funicular.gui.picking import (
     WrongSelection,
@@ -310,5 +311,13 @@ def _round_down(length):
 
 COMMANDS = {
     command.NAME: command()
-    for command in (GridshellCommand, SheetCommand, SupportCommand, CoveringCommand, AccuracyStudyCommand)
+    for command in (
+        GridshellCommand,
+        SheetCommand,
+        SupportCommand,
+        CoveringCommand,
+        RaiseCommand,
+        TakeOutCommand,
+        AccuracyStudyCommand,
+    )
 }

@@ -79,6 +79,39 @@ def picks_of(shell):
     return elements, points
 
 
+def picked_parts():
+    """(gridshell, members, panels, points) of what is selected of one gridshell and of its coverings.
+
+    members, panels: their numbers. points: App.Vector, where nodes were clicked. Raises WrongSelection for
+    parts of several gridshells, or none.
+    """
+    from funicular.features.picked_edits import panels_of_faces
+
+    shells, members, panels, points = [], [], [], []
+    for selected in FreeCADGui.Selection.getSelectionEx("", 0):
+        for path in selected.SubElementNames:
+            obj = selected.Object.getSubObjectList(path)[-1]
+            element = path.rpartition(".")[2]
+            kind = getattr(obj, "FunicularType", "")
+            shell = obj.Gridshell if kind == "Covering" else obj
+            if kind not in ("Covering", "Gridshell") or shell is None:
+                continue
+            shells += [] if shell in shells else [shell]
+            if kind == "Covering" and element.startswith("Face"):
+                panels += panels_of_faces(obj, [int(element[4:])])
+            elif kind == "Gridshell" and element.startswith("Edge"):
+                members.append(int(element[4:]) - 1)
+            elif kind == "Gridshell" and element.startswith("Vertex"):
+                points.append(selected.Object.getSubObject(path).Point)
+    if len(shells) != 1:
+        raise WrongSelection(
+            translate("Parts of {} gridshells are selected: select nodes or members of one.").format(
+                len(shells)
+            )
+        )
+    return shells[0], sorted(set(members)), sorted(set(panels)), points
+
+
 def _face_count(root, path):
     return getattr(root.getSubObject(path), "countElement", lambda kind: 0)("Face")
 

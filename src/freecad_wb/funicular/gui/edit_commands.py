@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands that edit the net of a gridshell where it is picked."""
+
+import FreeCADGui
+
+from funicular.gui.icons import icon
+from funicular.gui.picking import WrongSelection, picked_parts
+from funicular.gui.qt import QT_TRANSLATE_NOOP, translate
+
+
+class TakeOutCommand:
+    """Selected members of a Gridshell, or faces of its Covering → openings in its net, one undo step."""
+
+    NAME = "Funicular_TakeOut"
+
+    def GetResources(self):
+        what = QT_TRANSLATE_NOOP(
+            "Funicular_TakeOut",
+            "Take the selected members out of the net, or the panels whose faces are selected.\n"
+            "Select members of a Gridshell, or faces of its Covering. Their place on the face is kept.",
+        )
+        return {
+            "Pixmap": icon(self.NAME),
+            "MenuText": QT_TRANSLATE_NOOP("Funicular_TakeOut", "Take out"),
+            "ToolTip": what,
+            "WhatsThis": self.NAME,
+            "StatusTip": what,
+            "Accel": "G, T",
+        }
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog() and bool(FreeCADGui.Selection.getSelection())
+
+    def Activated(self):
+        from funicular.features.picked_edits import taken_out
+
+        _edit_picked(
+            translate("Take out"), lambda shell, members, panels, points: taken_out(shell, members, panels)
+        )
+
+
+class RaiseCommand:
+    """Selected nodes of a Gridshell → nodes of its net that are higher by a part of a step, one undo step."""
+
+    NAME = "Funicular_Raise"
+
+    # A part of the net's step: to be seen, and repeated for more.
+    PART_OF_STEP = 0.25
+
+    def GetResources(self):
+        what = QT_TRANSLATE_NOOP(
+            "Funicular_Raise",
+            "Raise the selected nodes of the net by a quarter of its step, and again for more.\n"
+            "Select nodes of a Gridshell. The height of each is in the property Raised of its Net.",
+        )
+        return {
+            "Pixmap": icon(self.NAME),
+            "MenuText": QT_TRANSLATE_NOOP("Funicular_Raise", "Raise"),
+            "ToolTip": what,
+            "WhatsThis": self.NAME,
+            "StatusTip": what,
+            "Accel": "G, R",
+        }
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog() and bool(FreeCADGui.Selection.getSelection())
+
+    def Activated(self):
+        from funicular.features.picked_edits import raised
+
+        def changes(shell, members, panels, points):
+            return raised(shell, points, self.PART_OF_STEP * shell.Net.StepU.Value)
+
+        _edit_picked(translate("Raise"), changes)
+
+
+def _edit_picked(title, changes):
+    """Sets what changes(*picked parts) says of the Net, recomputed, in one undo step; or says why not."""
+    from funicular.gui.task_panel import show_message
+
+    try:
+        parts = picked_parts()
+        shell, found = parts[0], changes(*parts)
+    except (WrongSelection, ValueError) as error:
+        show_message(str(error))
+        return
+    document, net = shell.Document, shell.Net
+    document.openTransaction(title)
+    for name, value in found.items():
+        setattr(net, name, value)
+    document.recompute()
+    failed = next((obj for obj in (net, shell) if not obj.isValid()), None)
+    if failed is None:
+        document.commitTransaction()
+        FreeCADGui.Selection.clearSelection()
+        return
+    sentence = failed.getStatusString()
+    document.abortTransaction()
+    document.recompute()
+    show_message(sentence)
