@@ -124,7 +124,8 @@ def features_of(scene, accuracy):
     axial = next(effect for effect in scene.effects if isinstance(effect, fn.AxialStiffness))
     # In loads that a member bears: the pull of a net falls with the number of its lines.
     stiffness = np.median(axial.stiffness) * (np.median(scene.rest_lengths) if axial.per_spring else 1.0)
-    in_loads = np.log(max(stiffness, 1e-300) / max(_load(scene), 1e-300) / STIFFNESS_OF_PATH)
+    # Within what there are figures for: a scene without loads has none.
+    in_loads = np.clip(np.log(max(stiffness, 1e-300) / max(_load(scene), 1e-300) / STIFFNESS_OF_PATH), -8, 16)
     stiff = in_loads + 0.5 * np.log(nodes)
     over, under = max(in_loads, 0.0), max(-in_loads - 3.0, 0.0)
     size = np.log(nodes / 1e3)
