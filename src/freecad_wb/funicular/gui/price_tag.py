@@ -26,7 +26,8 @@ class PriceTag(WrappedText):
         self._background = Background(self, self.setText)
 
     def ask(self, scene, accuracy, seconds):
-        """Find the price of a scene. accuracy: [m]. seconds: what its last solve took, to learn from."""
+        """Find the price of a scene. accuracy: [m]. seconds: what its last solve took, to learn from, or
+        None."""
         self._background.ask(lambda is_wanted: _price_in_words(scene, accuracy, seconds, is_wanted))
 
     def stop(self):
@@ -39,7 +40,8 @@ def _price_in_words(scene, accuracy, seconds, is_wanted):
     """Empty where no price can be told: it is a service, and the solve itself says what is wrong."""
     try:
         price = fn.predict(scene, accuracy)
-        price.observe(seconds)
+        if seconds is not None:
+            price.observe(seconds)
     except Exception:
         return ""
     words = translate("about {}").format(time_text(price.seconds))

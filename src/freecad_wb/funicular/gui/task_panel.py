@@ -326,7 +326,9 @@ class GridshellPanel:
     def _ask_price(self):
         # Of the other methods no price is known.
         if self._shell.Method == "Auto" and self._shell.Status == "converged":
-            self.price.ask(*self._scene_and_accuracy(), self._shell.Seconds)
+            # Of several rounds only the best one's time is kept, which began near its end.
+            seconds = None if self._shell.LengthMatching else self._shell.Seconds
+            self.price.ask(*self._scene_and_accuracy(), seconds)
         else:
             self.price.stop()
 
