@@ -8,9 +8,13 @@ import json
 import os
 import pathlib
 import platform
+import re
 import sys
+import zlib
 
 import numpy as np
+
+from . import _native
 
 # What is in the file; one of another version is made anew.
 VERSION = 1
@@ -91,4 +95,15 @@ def _read():
 
 
 def _machine():
-    return f"{platform.machine()} {platform.processor()} {os.cpu_count()}"
+    """What factors depend on: the processor, and the core that was built for it."""
+    core = zlib.crc32(pathlib.Path(_native.load().__file__).read_bytes())
+    return f"{_processor()}, {os.cpu_count()} cores, core {core:08x}"
+
+
+def _processor():
+    """Its name; on Linux `platform` does not tell it."""
+    try:
+        names = re.findall(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text("utf-8"))
+    except OSError:
+        names = []
+    return names[0] if names else platform.processor() or platform.machine()
