@@ -37,7 +37,7 @@ def test_larger_nets_cost_more(pattern, path):
     assert [price.way[0] for price in prices] == [path] * 3
     for coarse, fine in zip(prices, prices[1:]):
         assert coarse.seconds < fine.seconds and coarse.memory < fine.memory
-        assert coarse.of_step(0.5).seconds == pytest.approx(fine.seconds, rel=2.0)
+        assert fine.seconds / 3.0 < coarse.of_step(0.5).seconds < 3.0 * fine.seconds
     assert str(prices[0]).startswith("about ") and str(prices[0]).endswith(" MB")
 
 
@@ -51,18 +51,19 @@ def test_memory_is_what_a_solve_then_takes():
     script = (
         "import re, sys; sys.path.insert(0, {path!r}); import funicular as fn\n"
         "net = fn.Net.grid(20, 20, {step}, pattern={pattern!r})\n"
-        "scene = fn.Scene(net, [fn.Fixed(net.border)], [fn.AxialStiffness(1e5), fn.MemberWeight(12.0)])\n"
+        "scene = fn.Scene(net, [fn.Fixed(net.border)], [fn.AxialStiffness({ea}), fn.MemberWeight(12.0)])\n"
         # Unlike getrusage, which knows of the process that started this one.
         "peak = lambda: int(re.search(r'VmHWM:\\s+(\\d+)', open('/proc/self/status').read())[1])\n"
         "before = peak(); fn.solve(scene); print(1024 * (peak() - before))"
     )
-    for step, pattern in ((0.12, "quad"), (0.25, "triangle")):
+    # The stiff lattice of less than 5000 nodes is factorised.
+    for step, pattern, ea in ((0.12, "quad", 1e5), (0.35, "quad", 1e8), (0.25, "triangle", 1e5)):
         path = next(each for each in sys.path if each.endswith("freecad_wb"))
-        code = script.format(path=path, step=step, pattern=pattern)
+        code = script.format(path=path, step=step, pattern=pattern, ea=ea)
         run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
         taken = int(run.stdout)
         net = fn.Net.grid(20, 20, step, pattern=pattern)
-        scene = fn.Scene(net, [fn.Fixed(net.border)], [fn.AxialStiffness(1e5), fn.MemberWeight(12.0)])
+        scene = fn.Scene(net, [fn.Fixed(net.border)], [fn.AxialStiffness(ea), fn.MemberWeight(12.0)])
         assert 0.5 * taken < fn.predict(scene).memory < 2.0 * taken
 
 
@@ -91,6 +92,7 @@ def test_a_cache_that_says_nothing_is_made_anew(cache, content):
 
 
 def test_one_of_another_machine_and_one_that_cannot_be_written_are_no_error(cache, monkeypatch, tmp_path):
+    assert "core " in json.loads(cache.read_text())["machine"]
     content = json.loads(cache.read_text()) | {"machine": "another"}
     cache.write_text(json.dumps(content))
     prediction_cache._factors.clear()

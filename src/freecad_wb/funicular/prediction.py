@@ -13,6 +13,7 @@ corrected by what solves then really take (`Prediction.observe`).
 
 import json
 import pathlib
+import time
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,7 +25,8 @@ from .panels import areas
 
 GRAVITY = 9.80665
 
-# Bytes: a node of a lattice, and what loads on its panels take more; a member of what is factorised.
+# Bytes: a node where multigrid solves the steps, and what loads on its panels take more; a member of what is
+# factorised, as stiff and small lattices are too.
 BYTES_OF_NODE, BYTES_OF_PANELS, BYTES_OF_MEMBER = 1600.0, 800.0, 2200.0
 
 # The coarser net has no more nodes than this, or than this part of the scene's.
@@ -80,7 +82,7 @@ def predict(scene, accuracy=1e-3):
         calibrate()
     seconds = by_exponents(way, features) * prediction_cache.factor(way[0])
     net = scene.net
-    if way[0] == LATTICE:
+    if "multigrid" in way[1] and way[0] == LATTICE:
         on_panels = any(isinstance(effect, (fn.CoveringWeight, fn.Snow)) for effect in scene.effects)
         memory = (BYTES_OF_NODE + BYTES_OF_PANELS * on_panels) * len(net.nodes)
     else:
@@ -109,11 +111,18 @@ def calibrate(on_progress=None):
     ratios = {LATTICE: [], FACTORISED: []}
     for done, scene in enumerate(scenes, 1):
         way, features = features_of(scene, 1e-3)
-        best = min(fn.solve(scene, accuracy=1e-3).seconds for _ in range(3))
+        best = min(_processor_seconds(scene, 1e-3) for _ in range(3))
         ratios[way[0]].append(best / by_exponents(way, features))
         if on_progress is not None and on_progress(done, len(scenes)) is False:
             return
     prediction_cache.keep({path: float(np.median(each)) for path, each in ratios.items()})
+
+
+def _processor_seconds(scene, accuracy):
+    """What a solve takes of this thread's own time [s]: other programs may run beside, and the window."""
+    begun = time.thread_time()
+    fn.solve(scene, accuracy=accuracy)
+    return time.thread_time() - begun
 
 
 def features_of(scene, accuracy):
