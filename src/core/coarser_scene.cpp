@@ -61,9 +61,12 @@ void check_supports_are_kept(const Scene &scene, const Coarsening &coarsening) {
     for (const Index node : coarsening.fine_nodes())
         is_kept[node] = true;
     for (const Support &support : scene.supports()) {
+        // By this one and by others of its kind: a border may be held by several.
         std::vector<bool> is_held(count, false);
-        for (const Index node : support.nodes)
-            is_held[node] = true;
+        for (const Support &like : scene.supports())
+            if (like.kind == support.kind && like.direction == support.direction)
+                for (const Index node : like.nodes)
+                    is_held[node] = true;
         for (const Index node : support.nodes) {
             const auto parents = coarsening.parents(node);
             const bool between_held = std::all_of(parents.begin(), parents.end(), [&](const auto &parent) {
@@ -79,6 +82,16 @@ void check_supports_are_kept(const Scene &scene, const Coarsening &coarsening) {
     }
 }
 
+/// \throws InvalidInput where panels that bear loads are missing: a coarser net has all of them.
+void check_panels_are_whole(const Scene &scene, const Coarsening &coarsening) {
+    const bool bears_loads =
+        std::any_of(scene.effects().begin(), scene.effects().end(), [](const EffectDescription &effect) {
+            return std::holds_alternative<CoveringWeight>(effect) || std::holds_alternative<Snow>(effect);
+        });
+    if (bears_loads && scene.net().panels().size() != coarsening.fine()->panels().size())
+        throw InvalidInput("scene: its net has openings, which nets of larger steps would cover");
+}
+
 } // namespace
 
 CoarserScene coarser_scene(const Scene &scene) {
@@ -88,6 +101,7 @@ CoarserScene coarser_scene(const Scene &scene) {
             "scene: its net is no lattice of quads or ribs with four cells or more in a direction "
             "(eight around a closed one), so that no net of twice the step says how far it is "
             "from a smooth surface");
+    check_panels_are_whole(scene, level->coarsening);
     check_supports_are_kept(scene, level->coarsening);
     // As long as they would be on the source with twice the step: chords of chords.
     const Eigen::VectorXd in_rows = summed_in_rows(scene, *level, scene.net().source_lengths());

@@ -124,13 +124,19 @@ def test_what_cannot_carry_a_pattern_is_refused(doc, tmp_path):
     refused(
         "face 3 names texture", "but the file has 130", corners=[*facets[:3], (0, 1, 2, 999), *facets[4:]]
     )
-    refused("fill 99 %", facets=facets[:50] + facets[51:])
+    refused("leave 0.926 %", facets=facets[:50] + facets[51:])
     refused("all lie on a line", uvs=uvs * [1, 0])
     folded = uvs.copy()
     folded[45] = folded[65] + 0.01
     refused("turned over", uvs=folded)
     refused("lie apart but both have", uvs=np.column_stack([uvs[:, 0] * 2 % 1.0, uvs[:, 1]]))
     refused("not finite", uvs=np.where(np.arange(len(uvs))[:, None] == 7, np.inf, uvs))
+    refused("has coordinates beyond 1e+60", uvs=uvs * 1e300)
+    lines = tmp_path / "lines.obj"
+    lines.write_text("v 0 0 0\nv 1 0 0\nvt 0 0\nl 1 2\n")
+    net.File = str(lines)
+    recompute(doc)
+    assert_refused(net, "has no facets: a pattern is laid over facets")
     net.File = written(tmp_path / "last.obj", points, facets, uvs)
     net.Angle = 30
     recompute(doc)

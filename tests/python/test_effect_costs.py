@@ -71,3 +71,12 @@ def test_files_tables_and_how_a_study_ends(tmp_path):
     assert str(study).count("\n") == 2 and "without the members' weight" in str(study)
     with pytest.raises(fn.InvalidInput, match="no shape to measure against"):
         fn.effect_study(sheet(fn.MemberWeight(12.0), ea=1.0))
+
+
+def test_what_may_go_alone_need_not_go_together():
+    scene = sheet(fn.CoveringWeight(30.0), fn.Snow(3.0), fn.MemberWeight(0.1))
+    moved = {row["effect"]: row["moved"] for row in fn.effect_study(scene).rows}
+    accuracy = 1.05 * max(moved["snow"], moved["member_weight"])
+    assert moved["snow"] + moved["member_weight"] > accuracy
+    suggestions = fn.effect_study(scene, accuracy).suggestions()
+    assert len(suggestions) == 3 and suggestions[-1].startswith("together these may move it by")

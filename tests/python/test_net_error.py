@@ -115,3 +115,44 @@ def test_what_has_no_coarser_net_says_why():
     whole = fn.Scene(net, [fn.Fixed(net.border)], [fn.AxialStiffness(1e5), fn.MemberWeight(12.0)])
     with pytest.raises(fn.InvalidInput, match="result has .* nodes, the scene's net has 81"):
         fn.net_error(whole, other)
+
+
+def test_a_net_with_an_opening_is_refused_where_its_panels_bear_loads():
+    whole = fn.Net.grid(8, 8, 0.5)
+    panels = [panel for k, panel in enumerate(whole.panels) if k != 120]
+    net = fn.Net(whole.nodes, whole.members, panels)
+    effects = [fn.AxialStiffness(1e5), fn.CoveringWeight(30.0)]
+    with pytest.raises(fn.InvalidInput, match="its net has openings"):
+        fn.net_error(fn.Scene(net, [fn.Fixed(net.border)], effects))
+    bare = fn.Scene(net, [fn.Fixed(whole.border)], [fn.AxialStiffness(1e5), fn.MemberWeight(12.0)])
+    assert fn.net_error(bare).is_smooth, "where they bear none they do not matter"
+
+
+def test_a_border_may_be_held_by_several_supports():
+    net = fn.Net.grid(8, 8, 0.5)
+    effects = [fn.AxialStiffness(1e5), fn.CoveringWeight(30.0)]
+    left = net.lattice.sides["u_min"]
+    rest = np.setdiff1d(net.border, left)
+    errors = [
+        fn.net_error(fn.Scene(net, supports, effects)).distance
+        for supports in ([fn.Fixed(net.border)], [fn.Fixed(left), fn.Fixed(rest)])
+    ]
+    assert errors[0] == pytest.approx(errors[1], rel=1e-6)
+
+
+def test_what_two_nets_say_is_not_taken_for_an_order():
+    net = fn.Net.grid(6, 6, 1)
+    effects = [fn.AxialStiffness(1e5), fn.CoveringWeight(30.0)]
+    scene = fn.Scene(net, [fn.Fixed(net.border)], effects)
+    first = coarser(scene, 2)
+    assert len(first) == 1
+    error = fn.net_error(scene)
+    shapes = [fn.solve(each, accuracy=1e-9, tolerance=1e-8).nodes for each in (scene, first[0].scene)]
+    apart = np.linalg.norm(shapes[0][first[0].kept] - shapes[1], axis=1).max()
+    assert error.order is None and not error.is_smooth and "or more" in str(error)
+    assert error.distance == pytest.approx(apart, rel=1e-6)
+    even = [k for k, node in enumerate(net.nodes) if (node[:2] % 2 == 0).all()]
+    with pytest.raises(fn.InvalidInput, match="there is no telling"):
+        fn.net_error(fn.Scene(net, [fn.Fixed(even)], effects))
+    with pytest.raises(fn.InvalidInput, match="result did not converge"):
+        fn.net_error(scene, fn.solve(scene, max_iterations=1))

@@ -141,5 +141,18 @@ def test_the_step_that_is_told_brings_the_net_as_near_as_it_says(overall):
 def test_what_has_no_step_to_tell_says_why():
     with pytest.raises(fn.InvalidInput, match="no lattice of quads or ribs"):
         fn.cheapest(sheet(0.5, "triangle"), 1e-2)
-    with pytest.raises(fn.InvalidInput, match="too few cells to be halved twice"):
+    with pytest.raises(fn.InvalidInput, match="too few cells to be halved three times"):
         fn.cheapest(sheet(2.0), 1e-2)
+    with pytest.raises(fn.InvalidInput, match="takes a step of less than .*: give a finer net"):
+        fn.cheapest(vault(64, 10, 12, 1000, 1), 1e-9)
+    assert (
+        fn.cheapest(vault(64, 10, 12, 1000, 1), 100.0).step <= 8.001 * 10 / 64
+    ), "no wider than was looked at"
+
+
+def test_no_home_is_no_error(monkeypatch):
+    monkeypatch.delenv("FUNICULAR_CACHE")
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setenv("HOME", "/nowhere/at/all")
+    prediction_cache.keep({"lattice": 2.0, "factorised": 1.0})
+    assert prediction_cache.factor("lattice") == 2.0

@@ -14,7 +14,7 @@ import numpy as np
 
 import funicular as fn
 
-from .discretisation import Cancelled, from_shapes, solved_far
+from .discretisation import Cancelled, from_shapes, is_length, solved_far
 from .discretisation import coarser as nets_coarser_than
 
 ACCURACIES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  # [m]
@@ -123,7 +123,7 @@ def _coarser_nets(scene, most):
 
 
 def _checked(accuracy):
-    if not (np.isreal(accuracy) and 0.0 < accuracy < np.inf):
+    if not (is_length(accuracy) and accuracy > 0.0):
         raise fn.InvalidInput(f"accuracies holds {accuracy!r}: give lengths in metres, such as 1e-3")
     return float(accuracy)
 

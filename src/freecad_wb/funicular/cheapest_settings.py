@@ -14,8 +14,8 @@ from .prediction import checked_accuracy, predict
 # Of the wish what the net may take; the solver, for which digits are cheap, has the rest.
 PART_OF_NET = 0.9
 
-# Beyond these multiples of the scene's step an estimate by its own coarser nets says nothing.
-FINEST, COARSEST = 1.0 / 16.0, 16.0
+# Below this multiple of the scene's step an estimate by its own coarser nets says nothing.
+FINEST = 1.0 / 16.0
 
 
 @dataclass(frozen=True)
@@ -47,13 +47,14 @@ def cheapest(scene, overall, max_seconds=60.0):
     such smooth surface, and any step is right.
 
     Raises InvalidInput for a length that cannot be meant, for nets as `Scene.coarsened` does and such as have
-    fewer than two coarser ones, and where differences do not fall with the step, as beside free edges.
+    fewer than three coarser ones, where differences do not fall with the step, as beside free edges, and for
+    a step much finer than the scene's.
     """
     overall = checked_accuracy(overall, "overall")
     nets = coarser(scene, 3)
-    if len(nets) < 2:
+    if len(nets) < 3:
         raise fn.InvalidInput(
-            "scene: its net has too few cells to be halved twice, so that no step can be told: refine it"
+            "scene: its net has too few cells to be halved three times and tell a step: refine it"
         )
     shapes = [solved_far(net.scene, max_seconds) for net in nets]
     error = from_shapes(shapes, nets[1:])
@@ -65,7 +66,13 @@ def cheapest(scene, overall, max_seconds=60.0):
     own = float(np.mean(scene.net.source_lengths))
     # Its distance is that of the net of twice the step.
     factor = 2.0 * (PART_OF_NET * overall / error.distance) ** (1.0 / error.order_used)
-    factor = float(np.clip(factor, FINEST, COARSEST))
+    if factor < FINEST:
+        raise fn.InvalidInput(
+            f"scene: {length_text(overall)} takes a step of less than {length_text(FINEST * own)}, too far "
+            "from its own to be told: give a finer net, or wish for less"
+        )
+    # No wider than the coarsest net that was looked at.
+    factor = float(min(factor, 2.0 ** len(nets)))
     told = error.at(factor / 2.0)
     accuracy = max(overall - told, (1.0 - PART_OF_NET) * overall)
     price = predict(scene, accuracy).of_step(factor)

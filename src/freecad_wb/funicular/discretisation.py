@@ -12,9 +12,9 @@ import numpy as np
 
 import funicular as fn
 
-# Second order is what straight members give where nothing is singular, and what is taken where too few nets
-# are there to measure it.
-FULL_ORDER = 2.0
+# Second order is what straight members give where nothing is singular. First is what is taken where too few
+# nets are there to measure it, as corners and free edges have no more.
+FULL_ORDER, UNMEASURED_ORDER = 2.0, 1.0
 
 # Below this order differences hardly shrink from net to net, and their sum is of no use.
 LEAST_ORDER = 0.5
@@ -29,7 +29,7 @@ class NetError:
 
     distance: the largest over its nodes [m]. order: with which it falls with the step, measured on three
     nets; None where there were two. is_smooth: False where the order is below LEAST_ORDER, as beside corners
-    and free edges it may be: then distance is a lower bound, and finer nets may move by more.
+    and free edges it may be, or was not measured: then finer nets may move by more.
     """
 
     distance: float
@@ -43,7 +43,7 @@ class NetError:
     @property
     def order_used(self):
         """The order that the estimate counts on, between LEAST_ORDER and FULL_ORDER."""
-        return FULL_ORDER if self.order is None else float(np.clip(self.order, LEAST_ORDER, FULL_ORDER))
+        return UNMEASURED_ORDER if self.order is None else float(np.clip(self.order, LEAST_ORDER, FULL_ORDER))
 
     def __str__(self):
         if not self.is_smooth:
@@ -63,6 +63,10 @@ def net_error(scene, result=None, max_seconds=60.0):
     """
     if result is None:
         shape = solved_far(scene, max_seconds)
+    elif result.status != "converged":
+        raise fn.InvalidInput(
+            f"result did not converge ({result.status}): solve the scene first, or give none"
+        )
     else:
         shape = np.asarray(result.nodes, dtype=float)
         if shape.shape != scene.net.nodes.shape:
@@ -108,8 +112,18 @@ def from_shapes(shapes, nets):
     if len(apart) > 1 and apart[0].any() and apart[1].any():
         # Of the whole net rather than of its worst node, which need not be the same one each time.
         order = float(np.log2(np.sqrt((apart[1] ** 2).mean() / (apart[0] ** 2).mean())))
-    error = NetError(float(apart[0].max()), order, order is None or order >= LEAST_ORDER)
+    if not apart[0].any():
+        raise fn.InvalidInput(
+            "scene: no node that a net of twice the step keeps can move: there is no telling"
+        )
+    error = NetError(float(apart[0].max()), order, order is not None and order >= LEAST_ORDER)
     return NetError(error.distance / (2.0**error.order_used - 1.0), order, error.is_smooth)
+
+
+def is_length(value):
+    """Whether a value is a finite number, and no truth value."""
+    is_number = isinstance(value, (int, float, np.number)) and not isinstance(value, bool)
+    return is_number and bool(np.isfinite(value))
 
 
 class Cancelled(Exception):

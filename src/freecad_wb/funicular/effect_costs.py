@@ -74,8 +74,15 @@ class EffectStudy:
             table.writerows(self.rows)
 
     def suggestions(self):
-        """Sentences on the effects that may be left out."""
-        return [row["sentence"] for row in self.rows if row["dispensable"]]
+        """Sentences on the effects that may be left out, and on whether all of them may be."""
+        rows = [row for row in self.rows if row["dispensable"]]
+        together = sum(row["moved"] for row in rows)
+        sentences = [row["sentence"] for row in rows]
+        if len(rows) > 1 and together > self.accuracy:
+            sentences.append(
+                f"together these may move it by {length_text(together)}: leave out one, then measure again"
+            )
+        return sentences
 
     def __str__(self):
         lines = [f"{'effect':16} {'time':>9} {'share':>6} {'calls':>6} {'memory':>9}"]

@@ -21,6 +21,7 @@ import numpy as np
 import funicular as fn
 
 from . import prediction_cache
+from .discretisation import is_length
 from .panels import areas
 
 GRAVITY = 9.80665
@@ -92,7 +93,7 @@ def predict(scene, accuracy=1e-3):
 
 def checked_accuracy(value, name):
     """A length [m]. Raises InvalidInput for one that cannot be meant."""
-    if not (isinstance(value, (int, float, np.number)) and 0.0 < value < np.inf):
+    if not (is_length(value) and value > 0.0):
         raise fn.InvalidInput(f"{name} is {value!r}: give a length in metres, such as 1e-3")
     return float(value)
 

@@ -29,7 +29,7 @@ def folder():
     """Where the cache is: FUNICULAR_CACHE if it is set, or the folder that the system has for such files."""
     if os.environ.get("FUNICULAR_CACHE"):
         return pathlib.Path(os.environ["FUNICULAR_CACHE"])
-    home = pathlib.Path.home()
+    home = pathlib.Path(os.path.expanduser("~"))
     if sys.platform == "win32":
         base = os.environ.get("LOCALAPPDATA") or home / "AppData" / "Local"
     elif sys.platform == "darwin":
@@ -56,7 +56,8 @@ def keep(factors):
     content = {"version": VERSION, "machine": _machine(), "factors": _factors}
     try:
         folder().mkdir(parents=True, exist_ok=True)
-        whole = folder() / "prediction.json.new"
+        # Of this process alone: several may write at once, and the last one counts.
+        whole = folder() / f"prediction.json.{os.getpid()}"
         whole.write_text(json.dumps(content), "utf-8")
         whole.replace(folder() / "prediction.json")
     except OSError:

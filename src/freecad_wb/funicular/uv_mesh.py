@@ -15,6 +15,13 @@ from .wording import and_more
 # In shares of the rectangle's sides: what files that write six digits leave between like corners.
 SNAP = 2e-6
 
+# Numbers whose squares and products can be counted with.
+LARGEST = 1e60
+
+# By how much the area in UV coordinates may differ from that of the rectangle: what lies between corners that
+# files round is not missing, a facet is.
+FILLED = 1e-7
+
 # How far apart, relative to the size of the mesh, two corners with the same (u, v) may be.
 APART = 1e-6
 
@@ -43,7 +50,11 @@ def chart_of_uv(points, facets, uvs, corners, name):
             f"{name}: facet {missing[0]}{and_more(len(missing) - 1)} has no UV coordinates: unwrap all "
             "of the mesh, or take it as it is"
         )
+    if not facets:
+        raise fn.InvalidInput(f"{name} has no facets: a pattern is laid over facets, not over lines")
     low, high = _bounds(uvs, corners)
+    if max(np.abs(uvs).max(), np.abs(points).max()) > LARGEST:
+        raise fn.InvalidInput(f"{name} has coordinates beyond {LARGEST:g}: scale it where it was made")
     if not (high > low).all():
         raise fn.InvalidInput(f"{name}: its UV coordinates all lie on a line: unwrap it anew")
     square = (uvs - low) / (high - low)
@@ -83,7 +94,10 @@ class _Facets:
         try:
             self._find = Triangulation(*places.T, triangles).get_trifinder()
         except (RuntimeError, ValueError):
-            raise fn.InvalidInput("facets overlap in the mesh's UV coordinates: unwrap it anew") from None
+            raise fn.InvalidInput(
+                "facets overlap in the mesh's UV coordinates, or a corner of one lies within the edge of "
+                "another: unwrap it anew, and join facets corner to corner"
+            ) from None
 
     def __call__(self, a, b):
         at = np.column_stack([np.clip(a, 0.0, 1.0), np.clip(b, 0.0, 1.0)])
@@ -152,8 +166,9 @@ def _check_cover(places, keys, of, name):
             "in its UV coordinates: unwrap it without folds, in convex facets"
         )
     filled = 0.5 * doubled.sum()
-    if abs(filled - 1.0) > 1e-4:
-        what = "overlap" if filled > 1.0 else f"fill {100 * filled:.0f} % of the rectangle they lie in"
+    if abs(filled - 1.0) > FILLED:
+        missing = max(1e-4, 100.0 * (1.0 - filled))
+        what = "overlap" if filled > 1.0 else f"leave {missing:.3g} % of the rectangle they lie in empty"
         raise fn.InvalidInput(
             f"{name}: its UV coordinates {what}: unwrap it so that they fill a rectangle once, or take the "
             "mesh as it is"

@@ -9,8 +9,7 @@ import numpy as np
 
 import funicular as fn
 
-from ..edits import Places
-from .net import panels_of
+from .net import panels_of, places_of
 from .net_laying import lay
 from .source import read_source
 from .support import nodes_at
@@ -39,34 +38,37 @@ def raised(shell, points, height):
 def taken_out(shell, members=(), panels=()):
     """{property of the Net: value} that takes members and panels out of a Gridshell, by their numbers there.
 
-    Raises InvalidInput where nothing was picked, and for a panel that is no longer the net's own where there
-    are no places to say it by.
+    A panel that several have become by members taken out is said by one of these. Raises InvalidInput where
+    nothing was picked.
     """
     if not len(members) and not len(panels):
         raise fn.InvalidInput("nothing is picked: select members of the gridshell, or faces of its covering")
     net = shell.Net
-    of_members = np.array(shell.Members).reshape(-1, 2)[list(members)].tolist()
-    of_panels = [panels_of(shell.Panels)[panel] for panel in panels]
-    if net.NodePlaces:
-        uv = np.array([(at.x, at.y) for at in net.NodePlaces])
-        places = Places(uv, (net.ClosedU, net.ClosedV), frozenset(net.Poles))
-        changes = {"RemovedMembers": of_members, "RemovedPanels": of_panels}
-        return {
-            name: [*getattr(net, name), *(App.Vector(*at, 0.0) for at in places.middles(groups).tolist())]
-            for name, groups in changes.items()
-            if groups
-        }
+    before, _ = lay(net, read_source(net))
     numbers = np.array(net.NodeNumbers or range(net.NodeCount))
-    whole, _ = lay(net, read_source(net))
-    changes = {
-        "RemovedMemberNumbers": (whole.members, of_members, "member"),
-        "RemovedPanelNumbers": (whole.panels, of_panels, "panel"),
+    of_members = numbers[np.array(shell.Members).reshape(-1, 2)[list(members)]]
+    of_panels = [numbers[list(panels_of(shell.Panels)[panel])] for panel in panels]
+    whole = {
+        "Members": (before.members, _member_numbers(before.members, of_members)),
+        "Panels": (before.panels, _panel_numbers(before.panels, of_panels)),
     }
-    return {
-        name: [*getattr(net, name), *_numbers_before(all_of, numbers, groups, what)]
-        for name, (all_of, groups, what) in changes.items()
-        if groups
-    }
+    places = places_of(before)
+    changes = {}
+    for what, (groups, found) in whole.items():
+        if not found:
+            continue
+        if net.NodePlaces:
+            middles = places.middles([groups[number] for number in found])
+            added, name = [App.Vector(*at, 0.0) for at in middles.tolist()], f"Removed{what}"
+        else:
+            added, name = found, f"Removed{what[:-1]}Numbers"
+        changes[name] = [*getattr(net, name), *added]
+    return changes
+
+
+def typical_length(net):
+    """Median length of the members of a Net [mm]."""
+    return float(np.median([edge.Length for edge in net.Shape.Edges]))
 
 
 def panels_of_faces(covering, faces):
@@ -82,13 +84,23 @@ def _added(before, keys, height):
     return after
 
 
-def _numbers_before(all_of, numbers, groups, what):
-    """The numbers that groups of nodes had before edits."""
-    number_of = {frozenset(map(int, group)): number for number, group in enumerate(all_of)}
-    found = [number_of.get(frozenset(numbers[list(group)].tolist())) for group in groups]
-    if None in found:
-        raise fn.InvalidInput(
-            f"a picked {what} came from members that were taken out, and has no number of its own: take "
-            "those back first (RemovedMemberNumbers)"
+def _member_numbers(members, picked):
+    number_of = {frozenset(pair): number for number, pair in enumerate(np.asarray(members).tolist())}
+    return [number_of[frozenset(pair)] for pair in np.asarray(picked).tolist()]
+
+
+def _panel_numbers(panels, picked):
+    """A panel of the net before edits within each of those picked.
+
+    Panels all turn the same way, so that in its direction an edge has one of them.
+    """
+    number_of = {}
+    for number, panel in enumerate(panels):
+        for edge in zip(panel, panel[1:] + panel[:1]):
+            number_of[tuple(map(int, edge))] = number
+    return [
+        next(
+            number_of[edge] for edge in zip(panel.tolist(), np.roll(panel, -1).tolist()) if edge in number_of
         )
-    return found
+        for panel in picked
+    ]

@@ -50,7 +50,7 @@ class RaiseCommand:
     def GetResources(self):
         what = QT_TRANSLATE_NOOP(
             "Funicular_Raise",
-            "Raise the selected nodes of the net by a quarter of its step, and again for more.\n"
+            "Raise the selected nodes of the net by a quarter of a member, and again for more.\n"
             "Select nodes of a Gridshell. The height of each is in the property Raised of its Net.",
         )
         return {
@@ -66,10 +66,10 @@ class RaiseCommand:
         return not FreeCADGui.Control.activeDialog() and bool(FreeCADGui.Selection.getSelection())
 
     def Activated(self):
-        from funicular.features.picked_edits import raised
+        from funicular.features.picked_edits import raised, typical_length
 
         def changes(shell, members, panels, points):
-            return raised(shell, points, self.PART_OF_STEP * shell.Net.StepU.Value)
+            return raised(shell, points, self.PART_OF_STEP * typical_length(shell.Net))
 
         _edit_picked(translate("Raise"), changes)
 

@@ -72,7 +72,15 @@ def _effects_in_words(scene, accuracy, is_wanted):
         )
     except ValueError as error:
         return str(error)
-    return "\n".join(_row_in_words(row, accuracy) for row in study.rows)
+    lines = [_row_in_words(row, accuracy) for row in study.rows]
+    dispensable = [row["moved"] for row in study.rows if row["dispensable"]]
+    if len(dispensable) > 1 and sum(dispensable) > accuracy:
+        lines.append(
+            translate("Together these may move it by {}: leave out one, then measure again.").format(
+                length_in_words(sum(dispensable))
+            )
+        )
+    return "\n".join(lines)
 
 
 def _row_in_words(row, accuracy):

@@ -105,9 +105,9 @@ def picked_parts():
                 points.append(selected.Object.getSubObject(path).Point)
     if len(shells) != 1:
         raise WrongSelection(
-            translate("Parts of {} gridshells are selected: select nodes or members of one.").format(
-                len(shells)
-            )
+            translate(
+                "Parts of {} gridshells are selected: select nodes or members of one in the 3D view."
+            ).format(len(shells))
         )
     return shells[0], sorted(set(members)), sorted(set(panels)), points
 

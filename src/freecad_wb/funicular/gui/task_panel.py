@@ -297,13 +297,16 @@ class GridshellPanel:
         self.effects.stop()
         self.line.say(BUSY, translate("Solving"))
         self.line.repaint()
+        before = self._shell.Seconds
         self._document.recompute()
+        # No two solves take the same time to the last digit: of what was not solved now nothing is learnt.
+        seconds = self._shell.Seconds if self._shell.Seconds != before else None
         for widget, obj, name in self._driven:
             if obj in (self._shell, self._shell.Net):
                 show_value(widget, obj, name)
-        self._show_result()
+        self._show_result(seconds)
 
-    def _show_result(self):
+    def _show_result(self, seconds):
         from funicular.features.gridshell import result_line
 
         for obj in (self._shell.Net, self._shell):
@@ -311,7 +314,7 @@ class GridshellPanel:
                 kept = "" if self._shell.Shape.isNull() else " " + translate("(The last good shape stays.)")
                 self.line.say(WRONG, obj.getStatusString() + self._remedy(obj) + kept)
                 return
-        self._ask_price()
+        self._ask_price(seconds)
         sentence = result_line(self._shell)
         if self._shell.Net is not None and self._shell.Net.Remarks:
             # What came out otherwise than it was asked for.
@@ -323,11 +326,11 @@ class GridshellPanel:
         else:
             self.line.say(GOOD, sentence)
 
-    def _ask_price(self):
+    def _ask_price(self, seconds):
         # Of the other methods no price is known.
         if self._shell.Method == "Auto" and self._shell.Status == "converged":
             # Of several rounds only the best one's time is kept, which began near its end.
-            seconds = None if self._shell.LengthMatching else self._shell.Seconds
+            seconds = None if self._shell.LengthMatching else seconds
             self.price.ask(*self._scene_and_accuracy(), seconds)
         else:
             self.price.stop()
