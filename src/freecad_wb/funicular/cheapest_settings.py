@@ -7,9 +7,9 @@ import numpy as np
 
 import funicular as fn
 
-from .wording import length_text, time_text
 from .discretisation import LEAST_ORDER, coarser, from_shapes, solved_far
 from .prediction import checked_accuracy, predict
+from .wording import length_text, time_text
 
 # Of the wish what the net may take; the solver, for which digits are cheap, has the rest.
 PART_OF_NET = 0.9

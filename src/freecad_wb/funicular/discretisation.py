@@ -6,7 +6,7 @@ Where members are the straight beams that will be built, the net is the structur
 it says by how much the shape would be another one if the beams were shorter and closer.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -116,8 +116,9 @@ def from_shapes(shapes, nets):
         raise fn.InvalidInput(
             "scene: no node that a net of twice the step keeps can move: there is no telling"
         )
-    error = NetError(float(apart[0].max()), order, order is not None and order >= LEAST_ORDER)
-    return NetError(error.distance / (2.0**error.order_used - 1.0), order, error.is_smooth)
+    change = NetError(float(apart[0].max()), order, order is not None and order >= LEAST_ORDER)
+    # What all finer nets are still to change: a geometric series.
+    return replace(change, distance=change.distance / (2.0**change.order_used - 1.0))
 
 
 def is_length(value):

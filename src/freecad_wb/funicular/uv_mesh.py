@@ -18,9 +18,9 @@ SNAP = 2e-6
 # Numbers whose squares and products can be counted with.
 LARGEST = 1e60
 
-# By how much the area in UV coordinates may differ from that of the rectangle: what lies between corners that
-# files round is not missing, a facet is.
-FILLED = 1e-7
+# By how much the area in UV coordinates may differ from that of the rectangle: of what lies between corners that
+# files round, but never of a facet.
+FILLED = 1e-4
 
 # How far apart, relative to the size of the mesh, two corners with the same (u, v) may be.
 APART = 1e-6
@@ -166,8 +166,8 @@ def _check_cover(places, keys, of, name):
             "in its UV coordinates: unwrap it without folds, in convex facets"
         )
     filled = 0.5 * doubled.sum()
-    if abs(filled - 1.0) > FILLED:
-        missing = max(1e-4, 100.0 * (1.0 - filled))
+    if abs(filled - 1.0) > min(FILLED, 0.25 * doubled.min()):
+        missing = 100.0 * (1.0 - filled)
         what = "overlap" if filled > 1.0 else f"leave {missing:.3g} % of the rectangle they lie in empty"
         raise fn.InvalidInput(
             f"{name}: its UV coordinates {what}: unwrap it so that they fill a rectangle once, or take the "
