@@ -18,8 +18,8 @@ SNAP = 2e-6
 # Numbers whose squares and products can be counted with.
 LARGEST = 1e60
 
-# By how much the area in UV coordinates may differ from that of the rectangle: of what lies between corners that
-# files round, but never of a facet.
+# By how much the area in UV coordinates may differ from that of the rectangle: of what lies between corners
+# that files round, but never of a facet.
 FILLED = 1e-4
 
 # How far apart, relative to the size of the mesh, two corners with the same (u, v) may be.
