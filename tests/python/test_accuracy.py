@@ -150,6 +150,12 @@ def test_accuracies_that_cannot_be_meant_are_refused(accuracies):
         fn.accuracy_study(chain(), accuracies=accuracies)
 
 
+@pytest.mark.parametrize("wrong", [{"accuracies": 1e-3}, {"methods": "auto"}, {"accuracies": "1 mm"}])
+def test_what_is_no_list_is_refused(wrong):
+    with pytest.raises(fn.InvalidInput, match="accuracies and methods are lists"):
+        fn.accuracy_study(chain(), **wrong)
+
+
 def test_without_an_equilibrium_there_is_nothing_to_measure():
     with pytest.raises(fn.InvalidInput, match="nothing to measure against"):
         fn.accuracy_study(sheet(1.0))

@@ -36,8 +36,12 @@ def test_larger_nets_cost_more(pattern, path):
     prices = [fn.predict(sheet(step, pattern)) for step in (0.6, 0.3, 0.15)]
     assert [price.way[0] for price in prices] == [path] * 3
     for coarse, fine in zip(prices, prices[1:]):
-        assert coarse.seconds < fine.seconds and coarse.memory < fine.memory
-        assert fine.seconds / 3.0 < coarse.of_step(0.5).seconds < 3.0 * fine.seconds
+        assert coarse.memory < fine.memory
+        assert coarse.of_step(0.5).memory == pytest.approx(fine.memory, rel=0.1)
+        if path == "factorised":
+            # On a lattice the time of a coarser net is measured, which is no thing to test.
+            assert coarse.seconds < fine.seconds
+            assert fine.seconds / 3.0 < coarse.of_step(0.5).seconds < 3.0 * fine.seconds
     assert str(prices[0]).startswith("about ") and str(prices[0]).endswith(" MB")
 
 
@@ -136,6 +140,22 @@ def test_the_step_that_is_told_brings_the_net_as_near_as_it_says(overall):
     assert 0.3 * overall < error <= overall, "near enough, and not much nearer than was asked for"
     assert settings.net_error + settings.accuracy <= overall * (1 + 1e-9)
     assert "overall: step " in str(settings)
+
+
+def test_a_surface_keeps_its_stiffness_and_weight_by_width():
+    def sheet_of(step, lines=1.0):
+        net = fn.Net.grid(16, 16, step)
+        effects = [fn.AxialStiffness(2.5e5 * lines), fn.MemberWeight(20.0 * lines), fn.CoveringWeight(40.0)]
+        return fn.Scene(net, [fn.Fixed(net.border)], effects)
+
+    settings = fn.cheapest(sheet_of(0.25), 2e-2)
+    assert settings.lines == pytest.approx(settings.step / 0.25) and "EA and weight" in str(settings)
+    step = 16 / np.ceil(16 / settings.step)
+    shapes = [fn.solve(sheet_of(h, h / 0.25), accuracy=1e-6, tolerance=1e-6).nodes for h in (step, 0.125)]
+    rises = [shape[:, 2].max() for shape in shapes]
+    assert abs(rises[0] - rises[1]) < 2e-2
+    unscaled = fn.solve(sheet_of(step), accuracy=1e-6, tolerance=1e-6).nodes[:, 2].max()
+    assert abs(unscaled - rises[1]) > 5e-2
 
 
 def test_what_has_no_step_to_tell_says_why():

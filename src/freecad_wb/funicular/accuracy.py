@@ -102,6 +102,10 @@ def accuracy_study(
     Raises InvalidInput for accuracies that cannot be meant, and where the scene has no equilibrium that is
     found: there is nothing to measure against then.
     """
+    if isinstance(methods, str) or not hasattr(accuracies, "__iter__") or isinstance(accuracies, str):
+        raise fn.InvalidInput(
+            'accuracies and methods are lists: give [1e-3] and ["auto"], of one as of several'
+        )
     wanted = sorted({_checked(accuracy) for accuracy in accuracies}, reverse=True)
     study = Study(np.empty((0, 3)))
     try:

@@ -23,6 +23,8 @@ def draw(study, path, chosen=None, method=None):
     # The same place on the paper whether or not there is a second picture beside it.
     share = 9.0 / 14.0 if by_step else 1.0
     axes = figure.add_axes([0.13 * share, 0.12, 0.84 * share, 0.68], facecolor="white")
+    # Room for what is written beside points.
+    axes.margins(x=0.12, y=0.1)
     draw_on(axes, study.rows_of_own_step(), chosen, method)
     heading(
         figure,
@@ -135,8 +137,9 @@ def _draw_method(axes, method, rows, chosen, in_words):
             axes.annotate(
                 f"{in_words(chosen)} asked: {time_text(time)}",
                 (error, time),
-                xytext=(10, 12),
+                xytext=(0, 13),
                 textcoords="offset points",
+                ha="center",
                 fontsize=9,
                 color=INK,
             )

@@ -22,24 +22,29 @@ FINEST = 1.0 / 16.0
 class Settings:
     """What to ask for, and what it will cost.
 
-    overall: the wish [m]. step: mean length of members [m]. accuracy: of the solver [m]. net_error: estimated
-    distance of the net from the smooth surface it stands for [m]. seconds: predicted.
+    overall: the wish [m]. step: mean length of members [m]. lines: by which EA and weight of members are to
+    be multiplied, since each stands for as many of the scene's lines; 1 for ribs. accuracy: of the solver
+    [m]. net_error: estimated distance of the net from the smooth surface it stands for [m]. seconds:
+    predicted.
     """
 
     overall: float
     step: float
+    lines: float
     accuracy: float
     net_error: float
     seconds: float
 
     def __str__(self):
+        members = "" if self.lines == 1.0 else f"EA and weight of members times {self.lines:.3g}, "
         return (
-            f"{length_text(self.overall)} overall: step {length_text(self.step)}, {time_text(self.seconds)}"
+            f"{length_text(self.overall)} overall: step {length_text(self.step)}, {members}"
+            f"{time_text(self.seconds)}"
         )
 
 
 def cheapest(scene, overall, max_seconds=60.0):
-    """The Settings by which a net and the solver together are within `overall` [m] of the smooth surface.
+    """The Settings by which net and solver together are estimated to be within `overall` [m] of the surface.
 
     scene: a Scene on a lattice of quads or ribs; what it weighs and how it is held is what counts, its step
     is only where to begin. Nets of twice, four and eight times the step are solved, none of the scene's own,
@@ -61,7 +66,8 @@ def cheapest(scene, overall, max_seconds=60.0):
     if not error.is_smooth or error.distance == 0.0:
         raise fn.InvalidInput(
             f"scene: nets of larger steps come nearer to no smooth surface (order {error.order or 0.0:.2g}, "
-            f"{LEAST_ORDER:g} at least), as where edges or corners hang free: no step can be told"
+            f"{LEAST_ORDER:g} at least), as where edges or corners hang free, or where nets of four and "
+            "eight times the step are too coarse: no step can be told, unless a finer net tells one"
         )
     own = float(np.mean(scene.net.source_lengths))
     # Its distance is that of the net of twice the step.
@@ -69,11 +75,13 @@ def cheapest(scene, overall, max_seconds=60.0):
     if factor < FINEST:
         raise fn.InvalidInput(
             f"scene: {length_text(overall)} takes a step of less than {length_text(FINEST * own)}, too far "
-            "from its own to be told: give a finer net, or wish for less"
+            "from its own to be told: give a finer net, or a larger length"
         )
     # No wider than the coarsest net that was looked at.
     factor = float(min(factor, 2.0 ** len(nets)))
     told = error.at(factor / 2.0)
     accuracy = max(overall - told, (1.0 - PART_OF_NET) * overall)
     price = predict(scene, accuracy).of_step(factor)
-    return Settings(overall, factor * own, accuracy, told, price.seconds)
+    of_ribs = scene.net.lattice is not None and scene.net.lattice.pattern.startswith("ribs")
+    lines = 1.0 if of_ribs else factor
+    return Settings(overall, factor * own, lines, accuracy, told, price.seconds)

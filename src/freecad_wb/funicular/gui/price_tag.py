@@ -52,6 +52,9 @@ def _price_in_words(scene, accuracy, seconds, is_wanted):
     except Exception:
         # No lattice, or no smooth surface: then there is no step to tell.
         return words
-    return f"{words}\n" + translate("{} overall: step {}, {}").format(
+    words += "\n" + translate("{} overall: step {}, {}").format(
         length_in_words(accuracy), length_in_words(settings.step), time_text(settings.seconds)
     )
+    if settings.lines != 1.0:
+        words += translate(", with EA and weight of members times {:.3g}").format(settings.lines)
+    return words
