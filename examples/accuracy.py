@@ -25,7 +25,7 @@ def main(path):
         on_progress=lambda row: print(f"{row['method']:10} {row['accuracy']:.0e} m  {row['seconds']:.3f} s"),
     )
     pathlib.Path(path).parent.mkdir(parents=True, exist_ok=True)
-    study.plot(path, chosen=1e-3)
+    study.plot(path, chosen=1e-3, method="auto")
     print(f"drawn: {path}")
 
 

@@ -74,7 +74,7 @@ def draw_steps_on(axes, rows, chosen=None, in_words=None):
             color=INK,
             weight="bold" if step == own else "normal",
         )
-    axes.margins(x=0.25, y=0.1)
+    axes.margins(x=0.34, y=0.1)
     _prepare(axes, in_words)
     axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.set_xlabel(f"distance from the smooth surface, solved to {in_words(accuracy)}", color=INK)
@@ -137,7 +137,7 @@ def _draw_method(axes, method, rows, chosen, in_words):
             axes.annotate(
                 f"{in_words(chosen)} asked: {time_text(time)}",
                 (error, time),
-                xytext=(0, 13),
+                xytext=(0, -22),
                 textcoords="offset points",
                 ha="center",
                 fontsize=9,
