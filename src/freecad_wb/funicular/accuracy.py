@@ -64,10 +64,7 @@ class Study:
 
     def write(self, path):
         """The rows as a CSV file; lengths in metres, times in seconds."""
-        with open(path, "w", newline="", encoding="utf-8") as file:
-            table = csv.DictWriter(file, COLUMNS)
-            table.writeheader()
-            table.writerows(self.rows)
+        write_rows(path, COLUMNS, self.rows)
 
     def plot(self, path, chosen=None, method=None):
         """Draws time against true error, and against the estimate, into a picture file.
@@ -78,6 +75,14 @@ class Study:
         from .accuracy_picture import draw
 
         draw(self, path, chosen, method)
+
+
+def write_rows(path, columns, rows):
+    """Rows of a study, dicts with the keys `columns`, as a CSV file with these as its header."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, columns)
+        table.writeheader()
+        table.writerows(rows)
 
 
 def accuracy_study(

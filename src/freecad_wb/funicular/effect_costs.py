@@ -5,13 +5,14 @@ So that a user can decide which effects a scene calls for: none is ever left out
 metres.
 """
 
-import csv
 from dataclasses import dataclass, field
 
 import numpy as np
 
 import funicular as fn
 
+from .accuracy import write_rows
+from .discretisation import Cancelled
 from .wording import length_text
 
 # Columns of a row, in the order of the file.
@@ -68,21 +69,23 @@ class EffectStudy:
 
     def write(self, path):
         """The rows as a CSV file; lengths in metres, times in seconds."""
-        with open(path, "w", newline="", encoding="utf-8") as file:
-            table = csv.DictWriter(file, COLUMNS)
-            table.writeheader()
-            table.writerows(self.rows)
+        write_rows(path, COLUMNS, self.rows)
 
     def suggestions(self):
         """Sentences on the effects that may be left out, and on whether all of them may be."""
-        rows = [row for row in self.rows if row["dispensable"]]
-        together = sum(row["moved"] for row in rows)
-        sentences = [row["sentence"] for row in rows]
-        if len(rows) > 1 and together > self.accuracy:
+        sentences = [row["sentence"] for row in self.rows if row["dispensable"]]
+        if self.too_far_together is not None:
             sentences.append(
-                f"together these may move it by {length_text(together)}: leave out one, then measure again"
+                f"together these may move it by {length_text(self.too_far_together)}: leave out one, then "
+                "measure again"
             )
         return sentences
+
+    @property
+    def too_far_together(self):
+        """How far the shape may move [m] without all dispensable effects; None if within the accuracy."""
+        moved = [row["moved"] for row in self.rows if row["dispensable"]]
+        return sum(moved) if len(moved) > 1 and sum(moved) > self.accuracy else None
 
     def __str__(self):
         lines = [f"{'effect':16} {'time':>9} {'share':>6} {'calls':>6} {'memory':>9}"]
@@ -104,12 +107,23 @@ def effect_study(scene, accuracy=1e-3, on_progress=None, max_seconds=60.0, on_re
     Raises InvalidInput where the scene has no equilibrium that is found.
     """
     options = {"accuracy": accuracy, "max_seconds": max_seconds, "on_progress": on_report}
+    study = EffectStudy(accuracy)
+    try:
+        for row in _rows(scene, options, study):
+            study.rows.append(row)
+            if on_progress is not None and on_progress(row) is False:
+                raise Cancelled
+    except Cancelled:
+        study.cancelled = True
+    return study
+
+
+def _rows(scene, options, study):
+    """Measures row by row; the study is given the seconds of the whole. May raise Cancelled."""
     whole = _solved(scene, options)
-    if whole.status == "cancelled":
-        return EffectStudy(accuracy, cancelled=True)
     if whole.status != "converged":
         raise fn.InvalidInput(f"the scene has no shape to measure against: {whole.message}")
-    study = EffectStudy(accuracy, whole.seconds)
+    study.seconds = whole.seconds
     memory = scene.effect_memory()
     for name, (evaluations, seconds) in whole.costs.items():
         row = dict.fromkeys(COLUMNS)
@@ -121,15 +135,7 @@ def effect_study(scene, accuracy=1e-3, on_progress=None, max_seconds=60.0, on_re
             "bytes": memory[name],
             "dispensable": False,
         }
-        row |= _without(scene, name, whole, options)
-        if row.pop("cancelled", False):
-            study.cancelled = True
-            break
-        study.rows.append(row)
-        if on_progress is not None and on_progress(row) is False:
-            study.cancelled = True
-            break
-    return study
+        yield row | _without(scene, name, whole, options)
 
 
 def _without(scene, name, whole, options):
@@ -141,8 +147,6 @@ def _without(scene, name, whole, options):
         return {"sentence": f"{NAMES[name]}: all the load there is"}
     bare = fn.Scene(scene.net, scene.supports, kept, scene.rest_lengths)
     result, accuracy = _solved(bare, options), options["accuracy"]
-    if result.status == "cancelled":
-        return {"cancelled": True}
     if result.status != "converged":
         return {"sentence": f"without {NAMES[name]}: {result.message}"}
     saved = 1.0 - result.seconds / whole.seconds
@@ -168,11 +172,13 @@ def _faster(saved):
 
 
 def _solved(scene, options):
-    """The Result of the shortest of some solves."""
-    best = fn.solve(scene, **options)
-    for _ in range(REPEATS - 1 if best.seconds < SHORT and best.status == "converged" else 0):
-        again = fn.solve(scene, **options)
-        if again.status == "cancelled":
-            return again
-        best = min(best, again, key=lambda result: result.seconds)
+    """The Result of the shortest of some solves. May raise Cancelled."""
+    best = None
+    for _ in range(REPEATS):
+        result = fn.solve(scene, **options)
+        if result.status == "cancelled":
+            raise Cancelled
+        best = result if best is None or result.seconds < best.seconds else best
+        if best.seconds >= SHORT or best.status != "converged":
+            break
     return best

@@ -52,7 +52,6 @@ class EffectList(QtWidgets.QWidget):
         except ValueError as error:
             self._show(str(error))
             return
-        self._button.setEnabled(False)
         self._show(translate("Measuring"), busy=True)
         self._background.ask(lambda is_wanted: _effects_in_words(scene, accuracy, is_wanted))
 
@@ -73,11 +72,10 @@ def _effects_in_words(scene, accuracy, is_wanted):
     except ValueError as error:
         return str(error)
     lines = [_row_in_words(row, accuracy) for row in study.rows]
-    dispensable = [row["moved"] for row in study.rows if row["dispensable"]]
-    if len(dispensable) > 1 and sum(dispensable) > accuracy:
+    if study.too_far_together is not None:
         lines.append(
             translate("Together these may move it by {}: leave out one, then measure again.").format(
-                length_in_words(sum(dispensable))
+                length_in_words(study.too_far_together)
             )
         )
     return "\n".join(lines)
