@@ -8,6 +8,7 @@ import FreeCADGui
 
 from funicular.gui.edit_commands import RaiseCommand, TakeOutCommand
 from funicular.gui.icons import icon
+from funicular.gui.one_step import in_one_step
 from funicular.gui.picking import (
     WrongSelection,
     clicked_object,
@@ -160,15 +161,15 @@ class SupportCommand:
         except WrongSelection as error:
             show_message(str(error))
             return
-        support = _made_in_one_step(
+        made = in_one_step(
             shell.Document,
             translate("Support"),
-            lambda: make_support(shell.Document, shell, **at_picks(shell, *picks)),
+            lambda: [make_support(shell.Document, shell, **at_picks(shell, *picks))],
         )
-        if support is not None:
+        if made is not None:
             # Its properties are what is wanted next.
             FreeCADGui.Selection.clearSelection()
-            FreeCADGui.Selection.addSelection(support)
+            FreeCADGui.Selection.addSelection(made[0])
 
 
 class CoveringCommand:
@@ -203,7 +204,7 @@ class CoveringCommand:
         except WrongSelection as error:
             show_message(str(error))
             return
-        _made_in_one_step(shell.Document, translate("Covering"), lambda: make_covering(shell.Document, shell))
+        in_one_step(shell.Document, translate("Covering"), lambda: [make_covering(shell.Document, shell)])
 
 
 class AccuracyStudyCommand:
@@ -240,25 +241,6 @@ class AccuracyStudyCommand:
             show_message(str(error))
             return
         accuracy_dock.show(shell)
-
-
-def _made_in_one_step(document, title, make):
-    """What `make` adds, recomputed, in one undo step; None, and a message, where it comes to nothing."""
-    from funicular.gui.task_panel import show_message
-
-    document.openTransaction(title)
-    try:
-        made = make()
-        document.recompute()
-        if not made.isValid():
-            raise ValueError(made.getStatusString())
-    except Exception as error:
-        # As with a gridshell: no half of an object stays behind, and the user reads why.
-        document.abortTransaction()
-        show_message(str(error))
-        return None
-    document.commitTransaction()
-    return made
 
 
 def _make(document, source, net):

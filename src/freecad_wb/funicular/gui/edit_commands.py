@@ -4,6 +4,7 @@
 import FreeCADGui
 
 from funicular.gui.icons import icon
+from funicular.gui.one_step import in_one_step
 from funicular.gui.picking import WrongSelection, picked_parts
 from funicular.gui.qt import QT_TRANSLATE_NOOP, translate
 
@@ -84,17 +85,11 @@ def _edit_picked(title, changes):
     except (WrongSelection, ValueError) as error:
         show_message(str(error))
         return
-    document, net = shell.Document, shell.Net
-    document.openTransaction(title)
-    for name, value in found.items():
-        setattr(net, name, value)
-    document.recompute()
-    failed = next((obj for obj in (net, shell) if not obj.isValid()), None)
-    if failed is None:
-        document.commitTransaction()
+
+    def change():
+        for name, value in found.items():
+            setattr(shell.Net, name, value)
+        return shell.Net, shell
+
+    if in_one_step(shell.Document, title, change) is not None:
         FreeCADGui.Selection.clearSelection()
-        return
-    sentence = failed.getStatusString()
-    document.abortTransaction()
-    document.recompute()
-    show_message(sentence)
