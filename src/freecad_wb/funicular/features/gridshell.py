@@ -188,12 +188,15 @@ class Unsolved(ValueError):
     """The solver did not arrive. status: how it ended, such as "time_limit"; message: its own words."""
 
     def __init__(self, status, message=""):
-        super().__init__(_complaint(status, message))
+        super().__init__(complaint(status, message))
         self.status = status
 
 
-def scene_of(obj):
-    """The fn.Scene that a Gridshell's properties describe. Raises InvalidInput naming the property."""
+def scene_of(obj, net=None):
+    """The fn.Scene that a Gridshell's properties describe. Raises InvalidInput naming the property.
+
+    net: what net_of(obj.Net) gives, for who has it already.
+    """
     if obj.Net is None:
         raise fn.InvalidInput(
             "Net is empty (none was given, or it was deleted): set it to a Net of this document"
@@ -220,7 +223,7 @@ def scene_of(obj):
         effects.append(fn.CoveringWeight(covering_weight, share=obj.CoveringShare.lower()))
     if snow:
         effects.append(fn.Snow(snow))
-    net = net_of(obj.Net)
+    net = net_of(obj.Net) if net is None else net
     effects += _on_rims(obj.Net, covering_weight)
     return fn.Scene(net, supports=supports_of_gridshell(obj, net), effects=effects)
 
@@ -305,7 +308,8 @@ PROPERTIES_TO_CHANGE = {
 }
 
 
-def _complaint(status, message):
+def complaint(status, message):
+    """What a solve that did not converge tells a user: its own words, and which properties to change."""
     if status == "cancelled":
         return "the solve was cancelled and the last good shape stays; recompute to solve again"
     return f"{message} Properties to change: {PROPERTIES_TO_CHANGE[status]}."
@@ -335,8 +339,13 @@ def _write(obj, scene, result, certificate):
     obj.TotalWeight = -certificate.total_load[2] / NEWTONS
     obj.ReactionSum = certificate.reaction_sum[2] / NEWTONS
     obj.Status = result.status
-    left = _covered(net, result.nodes)
-    obj.Summary = _sentence(result, certificate, 1.0 + float(deviation.max()), left)
+    obj.Summary = sentence_of(scene, result, certificate)
+
+
+def sentence_of(scene, result, certificate):
+    """What a converged Result of a Scene is, in a sentence."""
+    stretch = float((result.member_lengths / scene.net.source_lengths).max())
+    return _sentence(result, certificate, stretch, _covered(scene.net, result.nodes))
 
 
 def _covered(net, nodes):

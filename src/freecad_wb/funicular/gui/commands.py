@@ -72,7 +72,7 @@ class GridshellCommand:
             return
         FreeCADGui.Selection.clearSelection()
         shell.ViewObject.Proxy.edit(shell.ViewObject, transaction)
-        if source is not None and not shell.Shape.isNull():
+        if source is not None and not shell.Net.Shape.isNull():
             # As FreeCAD's Part features do with what they are made of. A face that failed stays in sight.
             clicked_object(source).Visibility = False
 

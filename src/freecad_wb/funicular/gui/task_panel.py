@@ -1,16 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of a gridshell: its inputs, and the result as it follows each of them.
+"""The panel of a gridshell: its inputs, and the form as it follows each of them.
 
 The panel only edits properties, inside one transaction of its own: OK commits it, Cancel aborts it, and when
-another command ends it, that ends the panel.
+another command ends it, that ends the panel. What is found meanwhile is drawn and not written: the gridshell
+is computed once, by OK.
 """
 
 import FreeCAD
 import FreeCADGui
 
+from funicular.gui.drawing.net_drawing import NetDrawing
 from funicular.gui.effect_list import EffectList
 from funicular.gui.icons import icon
-from funicular.gui.inputs import SECTIONS, counts, expression_of, make_input, show_value
+from funicular.gui.inputs import SECTIONS
+from funicular.gui.live.inputs_part import InputsPart
+from funicular.gui.live.motion_part import MotionPart
+from funicular.gui.live.pointer import Pointer
+from funicular.gui.live.section import Section
+from funicular.gui.live.session import Session
+from funicular.gui.live.state_part import StatePart
 from funicular.gui.picking import (
     WrongSelection,
     are_edges_source,
@@ -20,11 +28,13 @@ from funicular.gui.picking import (
 )
 from funicular.gui.price_tag import PriceTag
 from funicular.gui.qt import QtCore, QtGui, QtWidgets, translate
-from funicular.gui.texts import BUSY, DOUBTFUL, GOOD, WRONG, Heading, ResultLine
+from funicular.gui.texts import WRONG, ResultLine
 
-# After the last keystroke: long enough not to solve for each digit of a number, short enough to feel
-# immediate.
+# After the last keystroke: half-typed values are unreadable too, and nobody wants to be told at each key.
 PAUSE_MS = 300
+
+# Sections that fold, as they come: what is changed most stands open.
+FOLDED_AT_FIRST = ()
 
 
 def report(sentence):
@@ -64,7 +74,7 @@ def active_transaction():
 
 
 class GridshellPanel:
-    """Edits a gridshell and its net.
+    """Edits a gridshell and its net while the form moves.
 
     Parameters
     ----------
@@ -79,10 +89,6 @@ class GridshellPanel:
         self._document = shell.Document
         # Sentences on inputs that cannot be read, by property.
         self._unreadable = {}
-        # (label, widget, object, property) of all inputs.
-        self._rows = []
-        # (widget, object, property) of the inputs that follow an expression.
-        self._driven = []
         if transaction is None:
             self._document.openTransaction(translate("Edit gridshell"))
             transaction = active_transaction()
@@ -90,8 +96,13 @@ class GridshellPanel:
         self._pause = QtCore.QTimer()
         self._pause.setSingleShot(True)
         self._pause.setInterval(PAUSE_MS)
-        self._pause.timeout.connect(self.recompute)
+        self._pause.timeout.connect(self._say_what_is_unreadable)
+        self.session = Session(shell)
+        self.pointer = Pointer(self._document, shell.getGlobalPlacement)
         self.form = self._build()
+        self.drawing = NetDrawing(shell.ViewObject)
+        self.session.moved.connect(lambda: self.drawing.show(self.session.form))
+        self.session.came.connect(self._came)
         self._in_dialog = True
         self.form.destroyed.connect(self._form_destroyed)
         FreeCAD.addDocumentObserver(self)
@@ -180,53 +191,44 @@ class GridshellPanel:
         form.setWindowIcon(QtGui.QIcon(icon("Funicular_Gridshell")))
         column = QtWidgets.QVBoxLayout(form)
         column.setContentsMargins(0, 0, 0, 0)
-        self.line = ResultLine()
-        self.price = PriceTag()
-        self.effects = EffectList(self._scene_and_accuracy)
-        column.addWidget(self.line)
+        self.state = StatePart(self.session)
+        column.addWidget(self.state)
+        column.addWidget(MotionPart(self.session))
+        for name, title, content in (*self._inputs(), *self._parts()):
+            column.addWidget(Section(name, title, content, name not in FOLDED_AT_FIRST))
+        return form
+
+    def _inputs(self):
+        """(name, title, widget) of each section of inputs."""
         net = self._shell.Net
         # A sheet is a net without a source, and its size an input like any other.
         is_sheet = net is not None and net.Source is None and bool(net.Width.Value or net.Depth.Value)
         is_file = net is not None and net.Source is None and bool(net.File)
-        is_mesh = is_file or is_mesh_source(net)
         owners = {
             "Gridshell": self._shell,
             "Net": net,
             "Sheet": net if is_sheet else None,
             "File": net if is_file else None,
-            "Mesh": net if is_mesh else None,
+            "Mesh": net if is_file or is_mesh_source(net) else None,
             "Edges": net if are_edges_source(net) else None,
         }
-        # One layout for all: the inputs stand in one column, and a heading costs a line and no frame.
-        inputs = QtWidgets.QFormLayout()
-        inputs.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
-        inputs.setVerticalSpacing(1)
-        column.addLayout(inputs)
         for heading, rows in SECTIONS:
-            rows = [row for row in rows if owners[row[0]] is not None]
-            if rows:
-                inputs.addRow(Heading(translate(heading)))
-            if rows and rows[0][0] == "Net":
-                inputs.addRow(translate("Source"), self._source_button())
-            for owner, name, label in rows:
-                obj = owners[owner]
-                widget = make_input(obj, name, self._setter(obj, name), self._unread(name))
-                inputs.addRow(translate(label), widget)
-                self._rows.append((inputs.labelForField(widget), widget, obj, name))
-                if name == "Accuracy":
-                    inputs.addRow("", self.price)
-                if expression_of(obj, name):
-                    self._driven.append((widget, obj, name))
-                inputs.labelForField(widget).setToolTip(widget.toolTip())
-        self._show_what_counts()
-        inputs.addRow(self.effects)
-        return form
+            rows = [(owners[row[0]], *row[1:]) for row in rows if owners[row[0]] is not None]
+            if not rows:
+                continue
+            part = InputsPart(self.session, rows, self._unreadable, self._edited)
+            if heading == "Net":
+                part.form.insertRow(0, translate("Source"), self._source_button())
+            elif heading == "Solution":
+                self.price = PriceTag()
+                self.effects = EffectList(self.session.scene_and_accuracy)
+                part.form.insertRow(part.row_of("Accuracy") + 1, "", self.price)
+                part.form.addRow(self.effects)
+            yield heading.replace(" ", ""), translate(heading), part
 
-    def _show_what_counts(self):
-        """Hide the inputs that have no say as the others are."""
-        for label, widget, obj, name in self._rows:
-            for each in (label, widget):
-                each.setVisible(counts(obj, name))
+    def _parts(self):
+        """(name, title, widget) of each other section."""
+        return ()
 
     def _source_button(self):
         button = QtWidgets.QPushButton(translate("Use selected faces"))
@@ -237,35 +239,15 @@ class GridshellPanel:
 
     # What the user does
 
-    def _setter(self, obj, name):
-        def set_property(value):
-            self._unreadable.pop(name, None)
-            if self._shell is None:
-                return
-            try:
-                # A property that follows an expression is the expression's to set.
-                if not expression_of(obj, name) and getattr(obj, name) != value:
-                    setattr(obj, name, value)
-                    self._show_what_counts()
-            except ReferenceError:
-                # The object is gone, and what depended on it says so when it is solved.
-                pass
-            except (TypeError, ValueError) as error:
-                self._unreadable[name] = f"{name}: {error}"
-            self._pause.start()
-
-        return set_property
-
-    def _unread(self, name):
-        def keep(sentence):
-            # Half-typed values are unreadable too: the sentence waits for the pause, as the solver does.
-            self._unreadable[name] = sentence
-            self._pause.start()
-
-        return keep
+    def _edited(self):
+        self._pause.start()
 
     def _say_what_is_unreadable(self):
-        self.line.say(WRONG, next(iter(self._unreadable.values())))
+        if self._unreadable:
+            self.state.line.say(WRONG, next(iter(self._unreadable.values())))
+        elif self.session.is_settled:
+            # What was unreadable has been put right, as it was before.
+            self.state.show_moment()
 
     def _use_selected_faces(self):
         if self._shell is None:
@@ -274,81 +256,38 @@ class GridshellPanel:
         try:
             source = the_faces()
         except WrongSelection as error:
-            self.line.say(WRONG, str(error))
+            self.state.line.say(WRONG, str(error))
             return
         before = clicked_object(net.Source)
         if before:
             before.Visibility = True
         net.Source = source
         FreeCADGui.Selection.clearSelection()
-        self.recompute()
+        self.session.take_up()
         if "Invalid" not in net.State:
             clicked_object(source).Visibility = False
 
     # What follows
 
-    def recompute(self):
-        """Solve with what the properties say now, and show what came of it."""
-        if self._shell is None:
-            return
-        if self._unreadable:
-            self._say_what_is_unreadable()
-            return
+    def begin(self):
+        """Let the net rise."""
+        self.session.take_up()
+
+    def _came(self):
+        moment = self.session.moment
         self.effects.stop()
-        self.line.say(BUSY, translate("Solving"))
-        self.line.repaint()
-        before = self._shell.Seconds
-        self._document.recompute()
-        # No two solves take the same time to the last digit: of what was not solved now nothing is learnt.
-        seconds = self._shell.Seconds if self._shell.Seconds != before else None
-        for widget, obj, name in self._driven:
-            if obj in (self._shell, self._shell.Net):
-                show_value(widget, obj, name)
-        self._show_result(seconds)
-
-    def _show_result(self, seconds):
-        from funicular.features.gridshell import result_line
-
-        for obj in (self._shell.Net, self._shell):
-            if obj is not None and "Invalid" in obj.State:
-                kept = "" if self._shell.Shape.isNull() else " " + translate("(The last good shape stays.)")
-                self.line.say(WRONG, obj.getStatusString() + self._remedy(obj) + kept)
-                return
-        self._ask_price(seconds)
-        sentence = result_line(self._shell)
-        if self._shell.Net is not None and self._shell.Net.Remarks:
-            # What came out otherwise than it was asked for.
-            sentence += ". " + self._shell.Net.Remarks
-        if self._shell.Status != "converged":
-            self.line.say(WRONG, sentence)
-        elif not self._shell.CompressionOnly:
-            self.line.say(DOUBTFUL, sentence)
-        else:
-            self.line.say(GOOD, sentence)
-
-    def _ask_price(self, seconds):
         # Of the other methods no price is known.
-        if self._shell.Method == "Auto" and self._shell.Status == "converged":
-            # Of several rounds only the best one's time is kept, which began near its end.
-            seconds = None if self._shell.LengthMatching else seconds
-            self.price.ask(*self._scene_and_accuracy(), seconds)
+        if moment.ended and self._shell.Method == "Auto" and moment.result.status == "converged":
+            self.price.ask(*self.session.scene_and_accuracy(), None)
         else:
             self.price.stop()
-
-    def _scene_and_accuracy(self):
-        """(fn.Scene, accuracy [m]) as the properties are."""
-        from funicular.features.gridshell import scene_of, solver_options
-
-        return scene_of(self._shell), solver_options(self._shell)["accuracy"]
-
-    def _remedy(self, obj):
-        if obj == self._shell or "pick" not in obj.getStatusString():
-            return ""
-        return translate(". Select another face and press “Use selected faces”.")
 
     def _leave(self):
         """Stop following the document, which may be about to go; returns it."""
         self._pause.stop()
+        self.session.stop()
+        self.pointer.stop()
+        self.drawing.remove()
         self.price.stop()
         self.effects.stop()
         FreeCAD.removeDocumentObserver(self)
@@ -357,7 +296,7 @@ class GridshellPanel:
 
 
 def edit(shell, transaction=None):
-    """Show the panel of a gridshell and bring its result up to date; for the arguments see GridshellPanel.
+    """Show the panel of a gridshell and let its form rise; for the arguments see GridshellPanel.
 
     Returns the panel, or None if another dialog is in the way.
     """
@@ -366,5 +305,5 @@ def edit(shell, transaction=None):
         return None
     panel = GridshellPanel(shell, transaction)
     FreeCADGui.Control.showDialog(panel)
-    panel.recompute()
+    panel.begin()
     return panel

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A gridshell as it stands at one moment: what there is to draw of it and to read from it. Needs numpy only."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+NOBODY = np.zeros(0, dtype=int)
+
+
+@dataclass(frozen=True)
+class Form:
+    """Lengths in m, forces in N, compression negative; nodes and members in the numbering of the net.
+
+    nodes, source_nodes: (n, 3), as it stands and as it was laid. members: (m, 2). panels: tuples of nodes.
+    member_forces: (m,). reactions: (n, 3), zero where unsupported. tension_members, slack_members: as the
+    certificate counts them, empty while a solve goes on.
+    """
+
+    nodes: np.ndarray
+    source_nodes: np.ndarray
+    members: np.ndarray
+    panels: tuple
+    member_forces: np.ndarray
+    reactions: np.ndarray
+    tension_members: np.ndarray = field(default_factory=lambda: NOBODY)
+    slack_members: np.ndarray = field(default_factory=lambda: NOBODY)
+
+    @property
+    def member_lengths(self):
+        """(m,) [m]"""
+        return np.linalg.norm(self.nodes[self.members[:, 1]] - self.nodes[self.members[:, 0]], axis=1)
+
+    def loads(self):
+        """(n, 3) [N]: what each node bears, as what its members and its support hold up."""
+        ends = self.nodes[self.members[:, 1]] - self.nodes[self.members[:, 0]]
+        lengths = np.maximum(np.linalg.norm(ends, axis=1), 1e-300)
+        pulls = ends * (self.member_forces / lengths)[:, None]
+        loads = -np.array(self.reactions, dtype=float)
+        for corner, sign in ((0, -1.0), (1, 1.0)):
+            for axis in range(3):
+                loads[:, axis] += sign * np.bincount(
+                    self.members[:, corner], pulls[:, axis], minlength=len(self.nodes)
+                )
+        return loads
+
+
+def form_of_moment(moment, nodes):
+    """The Form of a live.Moment, its nodes (n, 3) [m] shown where they are on their way."""
+    result, net, certificate = moment.result, moment.scene.net, moment.certificate
+    return Form(
+        nodes,
+        net.nodes,
+        net.members,
+        net.panels,
+        result.member_forces,
+        result.reactions,
+        np.array(certificate.tension_members if certificate else (), dtype=int),
+        np.array(certificate.slack_members if certificate else (), dtype=int),
+    )

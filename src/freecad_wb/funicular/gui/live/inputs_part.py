@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The inputs of a gridshell and its net: properties, each with its box, and what it was when the panel came."""
+
+from funicular.gui.inputs import counts, expression_of, make_input, show_value
+from funicular.gui.qt import QtWidgets, translate
+
+
+class InputsPart(QtWidgets.QWidget):
+    """A column of inputs.
+
+    Parameters
+    ----------
+    session : live.session.Session
+    rows : sequence of (object, property, label)
+    unreadable : dict
+        {property: sentence} of what was written and cannot be read, shared by all columns of a panel.
+    on_edit : callable()
+        Called after each edit, readable or not.
+    """
+
+    def __init__(self, session, rows, unreadable, on_edit):
+        super().__init__()
+        self._session, self._unreadable, self._on_edit = session, unreadable, on_edit
+        self.form = QtWidgets.QFormLayout(self)
+        self.form.setContentsMargins(0, 0, 0, 0)
+        self.form.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
+        self.form.setVerticalSpacing(1)
+        # (label, widget, object, property) of all inputs.
+        self._rows = []
+        # (widget, object, property) of the inputs that follow an expression.
+        self._driven = []
+        for obj, name, label in rows:
+            widget = make_input(obj, name, self._setter(obj, name), self._unread(name))
+            self.form.addRow(translate(label), widget)
+            label = self.form.labelForField(widget)
+            label.setToolTip(widget.toolTip())
+            self._rows.append((label, widget, obj, name))
+            if expression_of(obj, name):
+                self._driven.append((widget, obj, name))
+        self.show_what_counts()
+        session.came.connect(self.follow_expressions)
+
+    def row_of(self, name):
+        """Number of the row of a property in the form."""
+        widget = next(widget for _, widget, _, each in self._rows if each == name)
+        return self.form.getWidgetPosition(widget)[0]
+
+    def show_what_counts(self):
+        """Hide the inputs that have no say as the others are."""
+        for label, widget, obj, name in self._rows:
+            for each in (label, widget):
+                each.setVisible(counts(obj, name))
+
+    def follow_expressions(self):
+        try:
+            for widget, obj, name in self._driven:
+                show_value(widget, obj, name)
+        except ReferenceError:
+            pass  # the object is gone, and what depends on it says so
+
+    def _setter(self, obj, name):
+        def set_property(value):
+            self._unreadable.pop(name, None)
+            try:
+                # A property that follows an expression is the expression's to set.
+                if not expression_of(obj, name) and getattr(obj, name) != value:
+                    setattr(obj, name, value)
+                    self.show_what_counts()
+                    self._session.change()
+            except ReferenceError:
+                # The object is gone, and what depended on it says so when it is solved.
+                pass
+            except (TypeError, ValueError) as error:
+                self._unreadable[name] = f"{name}: {error}"
+            self._on_edit()
+
+        return set_property
+
+    def _unread(self, name):
+        def keep(sentence):
+            self._unreadable[name] = sentence
+            self._on_edit()
+
+        return keep

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A gridshell while it is formed by hand: its properties make a scene, a solver goes on with it beside the
+window, and what it has come to is shown at an even pace. The gridshell's own results stay as they are."""
+
+import time
+from collections import deque
+
+import funicular as fn
+from funicular.form import form_of_moment
+from funicular.live import LiveSolve
+from funicular.gui.qt import QtCore
+from funicular.pace import Pace
+
+FRAME_MS = 33
+KEPT_FRAMES = 1000
+
+METRES = 1e-3  # of a millimetre
+
+
+class Session(QtCore.QObject):
+    """What all parts of the panel share.
+
+    shell, net: the objects in the document. form: the funicular.form.Form that is shown, None before the
+    first. moment: the funicular.live.Moment that it goes to. frame_seconds: what the latest frames took of
+    the window's time, that of whoever listens to `moved` included.
+
+    A part that changes a property of the gridshell, its net or its supports calls change(); it may do so as
+    often as it likes, for what has changed is taken up once a frame.
+    """
+
+    moved = QtCore.Signal()
+    """Another form is shown: to be drawn, so this should take milliseconds."""
+
+    came = QtCore.Signal()
+    """There is another moment: numbers and sentences have changed; once more when it has ended."""
+
+    failed = QtCore.Signal(str)
+    """What the properties say makes no scene, or it cannot be solved: why. The last form stays."""
+
+    def __init__(self, shell, parent=None):
+        super().__init__(parent)
+        self.shell, self.net = shell, shell.Net
+        self.form = self.moment = None
+        self.frame_seconds = deque(maxlen=KEPT_FRAMES)
+        self.watched = False
+        self._net = self._live = self._pace = None
+        self._changed = False
+        self._timer = QtCore.QTimer(self)
+        self._timer.setInterval(FRAME_MS)
+        self._timer.timeout.connect(self._frame)
+
+    # What the panel and its parts ask for
+
+    def change(self):
+        """Properties have changed: take them up with the next frame."""
+        self._changed = True
+        self._timer.start()
+
+    def take_up(self):
+        """Take up at once what has been changed."""
+        self._take_up()
+        self._timer.start()
+
+    def restart(self):
+        """Begin again from the net as it was laid."""
+        if self._live is None:
+            self.change()
+            return
+        self._live.restart()
+        self._live.resume()
+        self._pace.restart(self._net.nodes, time.monotonic())
+        self._timer.start()
+
+    def relax_slowly(self, watched):
+        """Whether to watch the paper's relaxation, from the net as it was laid, instead of the fast solve."""
+        if watched != self.watched:
+            self.watched = watched
+            self._take_up()
+            self.restart()
+
+    def pause(self):
+        if self._live is not None:
+            self._live.pause()
+
+    def resume(self):
+        if self._live is not None:
+            self._live.resume()
+            self._timer.start()
+
+    def step(self):
+        """One iteration more, then a pause."""
+        if self._live is not None:
+            self._live.step()
+            self._timer.start()
+
+    @property
+    def is_paused(self):
+        return self._live is not None and self._live.is_paused
+
+    @property
+    def is_settled(self):
+        """Whether what is shown is the end of a solve of what the properties say."""
+        return not (self._timer.isActive() or self.is_paused or self._changed) and self.moment is not None
+
+    @property
+    def chart(self):
+        """As LiveSolve.chart."""
+        return self._live.chart if self._live is not None else []
+
+    def scene_and_accuracy(self):
+        """(fn.Scene, accuracy [m]) as the properties are. Raises InvalidInput."""
+        from funicular.features.gridshell import scene_of, solver_options
+
+        return scene_of(self.shell, self._net), solver_options(self.shell)["accuracy"]
+
+    def stop(self):
+        """Nothing more is wanted; the document may be about to go."""
+        self._timer.stop()
+        if self._live is not None:
+            self._live.stop()
+
+    # Frames
+
+    def _frame(self):
+        begun = time.perf_counter()
+        if self._changed:
+            self._take_up()
+        if self._live is None:
+            self._timer.stop()
+            return
+        # In this order: a solve that ends after it was asked has one more frame.
+        is_running = self._live.is_running
+        self._look()
+        arrived = True
+        if self.moment is not None and self.moment.result is not None:
+            target = self.moment.result.nodes
+            if len(target) == len(self._pace.nodes):
+                still = not is_running
+                arrived = self._pace.toward(target, time.monotonic(), still)
+                self.form = form_of_moment(self.moment, self._pace.nodes)
+                self.moved.emit()
+        if arrived and not is_running and not self._changed:
+            self._timer.stop()
+        self.frame_seconds.append(time.perf_counter() - begun)
+
+    def _look(self):
+        moment = self._live.latest
+        if moment is None or moment is self.moment:
+            return
+        self.moment = moment
+        if moment.error:
+            self.failed.emit(moment.error)
+        else:
+            self.came.emit()
+
+    def _take_up(self):
+        """Give the solver what the properties say now."""
+        self._changed = False
+        try:
+            self._lay_net()
+            scene, accuracy = self.scene_and_accuracy()
+        except (ValueError, RuntimeError) as error:
+            self.failed.emit(str(error))
+            return
+        method = "relaxation" if self.watched else self.shell.Method.lower()
+        now = time.monotonic()
+        if self._live is None:
+            self._live = LiveSolve(scene, accuracy, method, self.watched)
+        else:
+            self._live.change(scene, accuracy, method, self.watched)
+        if self._pace is None or len(self._pace.nodes) != len(scene.net.nodes):
+            self._pace = Pace(scene.net.nodes, now)
+        else:
+            self._pace.change(now)
+
+    def _lay_net(self):
+        """Compute the net, and what holds it, where their properties have changed; the gridshell waits."""
+        from funicular.features.net import net_of
+
+        if self.net is None:
+            raise fn.InvalidInput("Net is empty: close this panel and set it to a Net of this document")
+        if self._net is None or "Touched" in self.net.State or "Invalid" in self.net.State:
+            self.net.recompute()
+            if "Invalid" in self.net.State:
+                raise fn.InvalidInput(self.net.getStatusString())
+            self._net = net_of(self.net)
+        for support in self.shell.Supports:
+            if "Touched" in support.State:
+                support.recompute()
