@@ -6,12 +6,12 @@ import math
 from markdown import count, grid, length_text, paragraph, time_text, two_digits
 
 SCENES = {
-    "S": "flat net of 10 m × 10 m on its border, EA 100 kN",
+    "S": "flat net of 10 m × 10 m on its border, EA 100 kN, members of 500 N/m",
     "C": "the same on its four corners",
     "S100": "S, a hundred times as stiff",
     "S_bare": "S as nodes and members alone, its lattice not told",
     "S_gap": "S_bare without one member, so that it is no lattice",
-    "D": "hemisphere of steel (EA 100 MN), compression only, with a covering",
+    "D": "hemisphere of steel (EA 100 MN), compression only, members of 250 N/m and a covering of 500 N/m²",
     "T": "free-form roof of triangles, as D, no lattice",
 }
 KINDS = {
@@ -77,10 +77,17 @@ def targets(rows):
         )
     if not lines:
         return []
+    # Of the first scene alone: it is another's tangent elsewhere, and about as long.
+    yardsticks = [
+        f"{time_text(row['F_seconds'])} at {count(row['nodes'])} nodes"
+        for row in sorted(of_kind(rows, "cold"), key=lambda row: row["nodes"])
+        if row["scene"] == "S" and row["nodes"] > 10_000 and "F_seconds" in row
+    ]
     sentence = (
         f"{met} of {asked} targets that the project set itself are met. F is the time of one factorisation "
-        "and solution of the tangent by the fastest code at hand, on one thread; a target is the most that "
-        "is allowed."
+        "and solution of the tangent by the fastest code at hand, on one thread"
+        + (f" (S: {', '.join(yardsticks)})" if yardsticks else "")
+        + "; a target is the most that is allowed."
     )
     return [
         "## Targets",
@@ -240,7 +247,8 @@ def effects(rows, costs):
     titles = ["effect", "forces, ns a node", "tangent, ns a node", "bytes a node"]
     sentence = (
         "Once over a warped sheet of 10⁴ nodes; the bytes are what a scene and its solver hold more with "
-        "the effect (of the first, what they hold at all). An effect that is absent costs none of it."
+        "the effect (of the first, what they hold at all), corners' shares of panels included, which effects "
+        "on panels have in common. An effect that is absent costs none of it."
     )
     alone = ["## What effects cost", "", *paragraph(sentence), *grid(titles, lines)] if lines else []
     if not costs:
@@ -260,7 +268,9 @@ def effects(rows, costs):
     sentence = (
         f"In a whole solve of a flat net of {count(costs[0]['nodes'])} nodes on its border to 0.1 mm, as "
         "`fn.effect_study` measures it by the clock: what each effect takes of it, what a solve without it "
-        "would save, and how far the shape would move."
+        "would save, and how far the shape would move. The bytes here are those that the effect holds "
+        "itself, and the blocks of the tangent that are its alone. A solve may take longer without an "
+        "effect: other loads take other numbers of steps, and the clock scatters by a few milliseconds."
     )
     titles = ["effect", "evaluations", "time", "of the solve", "bytes held", "saved without", "moved by"]
     return [*alone, *paragraph(sentence), *grid(titles, lines)]
