@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A gridshell as it stands at one moment: what there is to draw of it and to read from it. Needs numpy only."""
+"""A gridshell as it stands at one moment: what there is to draw of it and to read from it. Only numpy."""
 
 from dataclasses import dataclass, field
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A solve that can be watched and changed as it goes: paused, led step by step, begun anew, given other loads.
+"""A solve that can be watched and changed as it goes: paused, led step by step, begun anew, loaded anew.
 
 It runs in a thread of its own, which ends whenever there is nothing to do. Needs numpy only; whoever watches
 reads `latest` as often as it likes.

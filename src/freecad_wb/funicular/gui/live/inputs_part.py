@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The inputs of a gridshell and its net: properties, each with its box, and what it was when the panel came."""
+"""Inputs of a gridshell and its net: properties, each with its box, and what it was when the panel came."""
 
 from funicular.gui.inputs import counts, expression_of, make_input, show_value
 from funicular.gui.qt import QtWidgets, translate
