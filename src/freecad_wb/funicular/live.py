@@ -68,8 +68,8 @@ class LiveSolve:
 
     @property
     def chart(self):
-        """[(seconds, residual [mean nodal loads], position error [m])] since the last begin, a list of all
-        looks at the solve; not numbers where nothing is known."""
+        """[(seconds, residual [mean nodal loads], position error [m])] of each look at the solve since the
+        last change; not a number where nothing is known."""
         return list(self._chart)
 
     @property
@@ -155,6 +155,7 @@ class LiveSolve:
 
     def _begin(self, order, before):
         nodes = None if self._solver is None else self._solver.nodes
+        self._chart, self._begun = [], time.monotonic()
         if order.goes_on and nodes is not None and len(nodes) == len(order.scene.net.nodes):
             if (order.accuracy, order.method) == (before.accuracy, before.method):
                 self._solver.replace(order.scene)
@@ -162,7 +163,6 @@ class LiveSolve:
                 return
             order.start = nodes
         self._solver = None
-        self._chart, self._begun = [], time.monotonic()
         self._solver = fn.Solver(order.scene, accuracy=order.accuracy, method=order.method, start=order.start)
         self._look(False)
 

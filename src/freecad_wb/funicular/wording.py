@@ -35,3 +35,8 @@ def time_text(seconds):
     if seconds >= 0.9995:
         return f"{seconds:.0f} s" if seconds >= 9.95 else f"{seconds:.2g} s"
     return f"{seconds * 1e3:.0f} ms" if seconds >= 0.00995 else f"{seconds * 1e3:.2g} ms"
+
+
+def force_text(newtons):
+    """184 kN, 3.2 N."""
+    return f"{newtons / 1e3:.3g} kN" if abs(newtons) >= 1e3 else f"{newtons:.3g} N"

@@ -54,7 +54,7 @@ def test_command_makes_net_and_gridshell_and_shows_the_result(opened):
     assert names(opened.Document) == ["Roof", "Net", "Gridshell"]
     assert opened.Status == "converged"
     assert result_line().startswith("✔") and "mm from equilibrium" in result_line()
-    assert "compression only" in result_line()
+    assert "Compression only" in result_line()
     assert len(opened.Shape.Edges) == opened.Net.MemberCount == len(opened.MemberForces) > 100
 
 

@@ -6,10 +6,10 @@ import numpy as np
 
 import funicular as fn
 
-from ..panels import areas
 from .feature import Feature, Property, amount, checked, reason
 from .net import edges_of, flat_panels, net_of, panels_of, to_vectors
 from .progress import Progress
+from .result_words import complaint, sentence_of
 from .support import RECIPES, supports_of_gridshell
 
 SHARES = ("Angle", "Equal", "Voronoi")
@@ -295,26 +295,6 @@ def _solve(obj, scene):
         return matched.scene, matched.result
 
 
-# A net that follows its face more loosely than this is hardly what was wanted.
-REMARKABLE_STRETCH = 1.5
-# Nor one that has fallen together.
-REMARKABLE_SHRINKAGE = 0.1
-
-# What a user can turn where the solver did not arrive.
-PROPERTIES_TO_CHANGE = {
-    "time_limit": "MaxSeconds, Accuracy",
-    "iteration_limit": "Method, Accuracy",
-    "no_equilibrium": "AxialStiffness, the weights",
-}
-
-
-def complaint(status, message):
-    """What a solve that did not converge tells a user: its own words, and which properties to change."""
-    if status == "cancelled":
-        return "the solve was cancelled and the last good shape stays; recompute to solve again"
-    return f"{message} Properties to change: {PROPERTIES_TO_CHANGE[status]}."
-
-
 def _write(obj, scene, result, certificate):
     net = scene.net
     deviation = result.member_lengths / net.source_lengths - 1.0
@@ -340,45 +320,3 @@ def _write(obj, scene, result, certificate):
     obj.ReactionSum = certificate.reaction_sum[2] / NEWTONS
     obj.Status = result.status
     obj.Summary = sentence_of(scene, result, certificate)
-
-
-def sentence_of(scene, result, certificate):
-    """What a converged Result of a Scene is, in a sentence."""
-    stretch = float((result.member_lengths / scene.net.source_lengths).max())
-    return _sentence(result, certificate, stretch, _covered(scene.net, result.nodes))
-
-
-def _covered(net, nodes):
-    """Area of the panels over that on the face; 1 without panels."""
-    before = areas(net.nodes, net.panels).sum() if net.panels else 0.0
-    return float(areas(nodes, net.panels).sum() / before) if before else 1.0
-
-
-def _sentence(result, certificate, stretch, left):
-    """stretch: of the most stretched member, its length over that on the face; left: as _covered()."""
-    if certificate.compression_only:
-        forces = f"compression only, at most {_force(-result.member_forces.min())}"
-        if len(certificate.slack_members):
-            forces += f", {len(certificate.slack_members)} slack"
-    elif len(certificate.tension_members):
-        forces = (
-            f"{len(certificate.tension_members)} of {len(result.member_forces)} members in tension, "
-            f"at most {_force(certificate.worst_tension)}"
-        )
-    else:
-        forces = certificate.summary().rstrip(".")
-    away = result.position_error / METRES
-    distance = f"{away:.2g} mm" if away >= 0.001 else "less than 0.001 mm"
-    sentence = f"Converged, {distance} from equilibrium; {forces}"
-    if stretch > REMARKABLE_STRETCH:
-        sentence += f"; members up to {stretch:.3g} times as long as on the face: stiffer ones stretch less"
-    if left < REMARKABLE_SHRINKAGE:
-        sentence += (
-            f"; but its panels have shrunk to {100 * left:.2g} % of their area, as where one point holds "
-            "all: choose other supports"
-        )
-    return sentence
-
-
-def _force(newtons):
-    return f"{newtons / 1e3:.3g} kN" if abs(newtons) >= 1e3 else f"{newtons:.3g} N"

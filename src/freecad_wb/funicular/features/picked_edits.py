@@ -43,11 +43,16 @@ def taken_out(shell, members=(), panels=()):
     """
     if not len(members) and not len(panels):
         raise fn.InvalidInput("nothing is picked: select members of the gridshell, or faces of its covering")
-    net = shell.Net
+    pairs = np.array(shell.Members).reshape(-1, 2)[list(members)]
+    return taken_out_of_net(shell.Net, pairs, [panels_of(shell.Panels)[panel] for panel in panels])
+
+
+def taken_out_of_net(net, members, panels=()):
+    """As taken_out(), of a Net as it is: members as their nodes (k, 2), panels as tuples of theirs."""
     before, _ = lay(net, read_source(net))
     numbers = np.array(net.NodeNumbers or range(net.NodeCount))
-    of_members = numbers[np.array(shell.Members).reshape(-1, 2)[list(members)]]
-    of_panels = [numbers[list(panels_of(shell.Panels)[panel])] for panel in panels]
+    of_members = numbers[np.asarray(members)]
+    of_panels = [numbers[list(panel)] for panel in panels]
     whole = {
         "Members": (before.members, _member_numbers(before.members, of_members)),
         "Panels": (before.panels, _panel_numbers(before.panels, of_panels)),

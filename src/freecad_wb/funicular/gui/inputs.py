@@ -26,6 +26,11 @@ SECTIONS = (
             ("Net", "Laying", QT_TRANSLATE_NOOP("Funicular", "Laid")),
             ("Net", "StepU", QT_TRANSLATE_NOOP("Funicular", "Step along u")),
             ("Net", "StepV", QT_TRANSLATE_NOOP("Funicular", "Step along v")),
+        ),
+    ),
+    (
+        QT_TRANSLATE_NOOP("Funicular", "More of the net"),
+        (
             ("Net", "CountU", QT_TRANSLATE_NOOP("Funicular", "Cells along u")),
             ("Net", "CountV", QT_TRANSLATE_NOOP("Funicular", "Cells along v")),
             ("Net", "SwapUV", QT_TRANSLATE_NOOP("Funicular", "Turned")),

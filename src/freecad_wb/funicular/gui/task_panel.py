@@ -34,7 +34,7 @@ from funicular.gui.texts import WRONG, ResultLine
 PAUSE_MS = 300
 
 # Sections that fold, as they come: what is changed most stands open.
-FOLDED_AT_FIRST = ()
+FOLDED_AT_FIRST = ("MoreOfTheNet", "View", "ColoursAndReadings", "Alternatives")
 
 
 def report(sentence):
@@ -191,7 +191,7 @@ class GridshellPanel:
         form.setWindowIcon(QtGui.QIcon(icon("Funicular_Gridshell")))
         column = QtWidgets.QVBoxLayout(form)
         column.setContentsMargins(0, 0, 0, 0)
-        self.state = StatePart(self.session)
+        self.state = StatePart(self.session, self._show_these)
         column.addWidget(self.state)
         column.addWidget(MotionPart(self.session))
         for name, title, content in (*self._inputs(), *self._parts()):
@@ -224,7 +224,7 @@ class GridshellPanel:
                 self.effects = EffectList(self.session.scene_and_accuracy)
                 part.form.insertRow(part.row_of("Accuracy") + 1, "", self.price)
                 part.form.addRow(self.effects)
-            yield heading.replace(" ", ""), translate(heading), part
+            yield heading.title().replace(" ", ""), translate(heading), part
 
     def _parts(self):
         """(name, title, widget) of each other section."""
@@ -267,6 +267,12 @@ class GridshellPanel:
         if "Invalid" not in net.State:
             clicked_object(source).Visibility = False
 
+    def _show_these(self, nodes, members):
+        """Let nodes and members stand out in the 3D view, until others are shown."""
+        self.drawing.highlight.choose(nodes, members)
+        if self.session.form is not None:
+            self.drawing.show(self.session.form)
+
     # What follows
 
     def begin(self):
@@ -275,7 +281,8 @@ class GridshellPanel:
 
     def _came(self):
         moment = self.session.moment
-        self.effects.stop()
+        if not moment.ended:
+            self.effects.stop()
         # Of the other methods no price is known.
         if moment.ended and self._shell.Method == "Auto" and moment.result.status == "converged":
             self.price.ask(*self.session.scene_and_accuracy(), None)

@@ -5,6 +5,7 @@ import numpy as np
 from pivy import coin
 
 from funicular.colours import ON_SCREEN
+from funicular.gui.drawing.highlight import Highlight
 
 MILLIMETRES = 1e3  # of a metre
 LINE_WIDTH = 3.0
@@ -36,6 +37,7 @@ class NetDrawing:
         for node in (unpickable, light, style, self._lines):
             self._root.addChild(node)
         self._members = None
+        self.highlight = Highlight(self._root)
         vobj.RootNode.addChild(self._root)
         self._was_shown = vobj.SwitchNode.whichChild.getValue()
         vobj.SwitchNode.whichChild = coin.SO_SWITCH_NONE
@@ -55,6 +57,7 @@ class NetDrawing:
         colours = _packed(form).tolist()
         self._vertices.orderedRGBA.setValues(0, len(colours), colours)
         self._vertices.orderedRGBA.setNum(len(colours))
+        self.highlight.show(form)
 
     def remove(self):
         """Take it out of the view, where the gridshell's own shape stands again."""

@@ -2,6 +2,7 @@
 """Inputs of a gridshell and its net: properties, each with its box, and what it was when the panel came."""
 
 from funicular.gui.inputs import counts, expression_of, make_input, show_value
+from funicular.gui.live.slider import WITH_SLIDERS, AmountSlider, ResetButton
 from funicular.gui.qt import QtWidgets, translate
 
 
@@ -25,16 +26,18 @@ class InputsPart(QtWidgets.QWidget):
         self.form.setContentsMargins(0, 0, 0, 0)
         self.form.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
         self.form.setVerticalSpacing(1)
-        # (label, widget, object, property) of all inputs.
-        self._rows = []
+        # (label, row, object, property) of all inputs; of each property what it was, and how it goes back.
+        self._rows, self._first, self._resets, self._sliders = [], {}, {}, {}
         # (widget, object, property) of the inputs that follow an expression.
         self._driven = []
         for obj, name, label in rows:
             widget = make_input(obj, name, self._setter(obj, name), self._unread(name))
-            self.form.addRow(translate(label), widget)
-            label = self.form.labelForField(widget)
+            row = self._row(widget, obj, name)
+            self.form.addRow(translate(label), row)
+            label = self.form.labelForField(row)
+            label.setBuddy(widget)
             label.setToolTip(widget.toolTip())
-            self._rows.append((label, widget, obj, name))
+            self._rows.append((label, row, obj, name))
             if expression_of(obj, name):
                 self._driven.append((widget, obj, name))
         self.show_what_counts()
@@ -42,8 +45,41 @@ class InputsPart(QtWidgets.QWidget):
 
     def row_of(self, name):
         """Number of the row of a property in the form."""
-        widget = next(widget for _, widget, _, each in self._rows if each == name)
-        return self.form.getWidgetPosition(widget)[0]
+        row = next(row for _, row, _, each in self._rows if each == name)
+        return self.form.getWidgetPosition(row)[0]
+
+    def _row(self, widget, obj, name):
+        """The box, its slider if it is an amount, and the way back."""
+        row = QtWidgets.QWidget()
+        line = QtWidgets.QGridLayout(row)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.setSpacing(0)
+        line.setColumnStretch(0, 1)
+        line.addWidget(widget, 0, 0)
+        if expression_of(obj, name):
+            return row
+        value = getattr(obj, name)
+        if name in WITH_SLIDERS:
+            self._sliders[name] = AmountSlider(name, value, self._session, self._shower(widget, obj, name))
+            self._sliders[name].setToolTip(widget.toolTip())
+            line.addWidget(self._sliders[name], 1, 0)
+        text = getattr(widget, "text", lambda: str(value))() if name in WITH_SLIDERS else str(value)
+        self._resets[name] = ResetButton(
+            name, text or str(value), lambda: self._shower(widget, obj, name)(value)
+        )
+        line.addWidget(self._resets[name], 0, 1)
+        self._first[name] = value
+        return row
+
+    def _shower(self, widget, obj, name):
+        """Sets a property and lets its box show it."""
+        set_property = self._setter(obj, name)
+
+        def set_and_show(value):
+            set_property(value)
+            show_value(widget, obj, name)
+
+        return set_and_show
 
     def show_what_counts(self):
         """Hide the inputs that have no say as the others are."""
@@ -67,6 +103,7 @@ class InputsPart(QtWidgets.QWidget):
                     setattr(obj, name, value)
                     self.show_what_counts()
                     self._session.change()
+                self._follow(obj, name)
             except ReferenceError:
                 # The object is gone, and what depended on it says so when it is solved.
                 pass
@@ -75,6 +112,13 @@ class InputsPart(QtWidgets.QWidget):
             self._on_edit()
 
         return set_property
+
+    def _follow(self, obj, name):
+        """Let slider and way back show what a property has become."""
+        if name in self._sliders and not self._sliders[name].isSliderDown():
+            self._sliders[name].show_amount(getattr(obj, name).Value)
+        if name in self._resets:
+            self._resets[name].setVisible(getattr(obj, name) != self._first[name])
 
     def _unread(self, name):
         def keep(sentence):

@@ -22,7 +22,7 @@ class Session(QtCore.QObject):
 
     shell, net: the objects in the document. form: the funicular.form.Form that is shown, None before the
     first. moment: the funicular.live.Moment that it goes to. frame_seconds: what the latest frames took of
-    the window's time, that of whoever listens to `moved` included.
+    the window's time, that of whoever listens to `moved` included. accuracy: [m], as it was last taken up.
 
     A part that changes a property of the gridshell, its net or its supports calls change(); it may do so as
     often as it likes, for what has changed is taken up once a frame.
@@ -42,7 +42,7 @@ class Session(QtCore.QObject):
         self.shell, self.net = shell, shell.Net
         self.form = self.moment = None
         self.frame_seconds = deque(maxlen=KEPT_FRAMES)
-        self.watched = False
+        self.watched, self.accuracy = False, 1e-3
         self._net = self._live = self._pace = None
         self._changed = False
         self._timer = QtCore.QTimer(self)
@@ -113,6 +113,13 @@ class Session(QtCore.QObject):
 
         return scene_of(self.shell, self._net), solver_options(self.shell)["accuracy"]
 
+    @property
+    def load_and_size(self):
+        """(all loads [N], size of the net [m]) of the scene as it was last solved; zeros before."""
+        if self.moment is None or self.moment.certificate is None:
+            return 0.0, 0.0 if self._net is None else self._net.size
+        return abs(self.moment.certificate.total_load[2]), self._net.size
+
     def stop(self):
         """Nothing more is wanted; the document may be about to go."""
         self._timer.stop()
@@ -162,6 +169,7 @@ class Session(QtCore.QObject):
         except (ValueError, RuntimeError) as error:
             self.failed.emit(str(error))
             return
+        self.accuracy = accuracy
         method = "relaxation" if self.watched else self.shell.Method.lower()
         now = time.monotonic()
         if self._live is None:

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a result is, in a sentence: in the document, in the panel, in the report view."""
+
+import FreeCAD as App
+
+from ..panels import areas
+from ..wording import force_text
+
+translate = App.Qt.translate
+
+# A net that follows its face more loosely than this is hardly what was wanted.
+REMARKABLE_STRETCH = 1.5
+# Nor one that has fallen together.
+REMARKABLE_SHRINKAGE = 0.1
+
+# What a user can turn where the solver did not arrive.
+PROPERTIES_TO_CHANGE = {
+    "time_limit": "MaxSeconds, Accuracy",
+    "iteration_limit": "Method, Accuracy",
+    "no_equilibrium": "AxialStiffness, the weights",
+}
+
+
+def complaint(status, message):
+    """What a solve that did not converge tells a user: its own words, and which properties to change."""
+    if status == "cancelled":
+        return translate(
+            "Funicular", "the solve was cancelled and the last good shape stays; recompute to solve again"
+        )
+    change = translate("Funicular", "Properties to change: {}.").format(PROPERTIES_TO_CHANGE[status])
+    return f"{message} {change}"
+
+
+def sentence_of(scene, result, certificate):
+    """What a converged Result of a Scene is: "Compression only. 0.4 mm from equilibrium. 184 kN total, …"."""
+    sentences = [_forces(result, certificate), distance_text(result.position_error)]
+    sentences.append(
+        translate("Funicular", "{} total, balanced to {:.0e}").format(
+            force_text(-certificate.total_load[2]), max(certificate.balance, 1e-16)
+        )
+    )
+    stretch = stretch_of(scene, result)
+    if stretch > REMARKABLE_STRETCH:
+        sentences.append(
+            translate(
+                "Funicular", "Members up to {:.3g} times as long as on the face: stiffer ones stretch less"
+            ).format(stretch)
+        )
+    left = _covered(scene.net, result.nodes)
+    if left < REMARKABLE_SHRINKAGE:
+        sentences.append(
+            translate(
+                "Funicular",
+                "But its panels have shrunk to {:.2g} % of their area, as where one point holds all: choose "
+                "other supports",
+            ).format(100 * left)
+        )
+    return ". ".join(sentences) + "."
+
+
+def distance_text(position_error):
+    """0.4 mm from equilibrium. position_error: [m]"""
+    away = position_error * 1e3
+    if away < 0.001:
+        return translate("Funicular", "Less than 0.001 mm from equilibrium")
+    return translate("Funicular", "{:.2g} mm from equilibrium").format(away)
+
+
+def stretch_of(scene, result):
+    """Of the most stretched member, its length over that on the face."""
+    return float((result.member_lengths / scene.net.source_lengths).max())
+
+
+def _forces(result, certificate):
+    if certificate.compression_only:
+        words = translate("Funicular", "Compression only, at most {}").format(
+            force_text(-result.member_forces.min())
+        )
+        slack = len(certificate.slack_members)
+        return words + (translate("Funicular", ", {} slack").format(slack) if slack else "")
+    if len(certificate.tension_members):
+        return translate("Funicular", "{} of {} members in tension, at most {}").format(
+            len(certificate.tension_members),
+            len(result.member_forces),
+            force_text(certificate.worst_tension),
+        )
+    return certificate.summary().rstrip(".")
+
+
+def _covered(net, nodes):
+    """Area of the panels over that on the face; 1 without panels."""
+    before = areas(net.nodes, net.panels).sum() if net.panels else 0.0
+    return float(areas(nodes, net.panels).sum() / before) if before else 1.0

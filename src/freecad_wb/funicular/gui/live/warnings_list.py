@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What an architect may not want of a form that was found, in plain words, each with what can be done."""
+
+import numpy as np
+
+import funicular as fn
+from funicular.gui.qt import QtWidgets, translate
+from funicular.gui.texts import DOUBTFUL, WrappedText
+
+# Of the largest force: what pulls less is rounding.
+ROUNDING = 1e-6
+
+
+class WarningsList(QtWidgets.QWidget):
+    """A sentence and its buttons for each warning; empty, and without height, where all is well.
+
+    Parameters
+    ----------
+    session : live.session.Session
+    show_these : callable(nodes, members)
+        Shows nodes and members, by their numbers, in the 3D view.
+    """
+
+    def __init__(self, session, show_these):
+        super().__init__()
+        self._session, self._show_these = session, show_these
+        self._column = QtWidgets.QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(2)
+        self._told = None
+
+    def clear(self):
+        self._tell(())
+
+    def show_moment(self, moment):
+        """Warn of what there is to warn of in a moment that has ended."""
+        self._tell(tuple(self._of(moment)))
+
+    def _of(self, moment):
+        """(sentence, ((button, what it does), …)) of each warning."""
+        result, certificate, shell = moment.result, moment.certificate, self._session.shell
+        show, no_nodes = translate("Show"), ()
+        if result.status == "no_equilibrium":
+            yield (
+                translate("The members cannot carry these loads."),
+                ((translate("Ten times as stiff"), "stiffen"),),
+            )
+            return
+        slack, tension = _slack(moment), list(certificate.tension_members)
+        if slack:
+            yield (
+                translate("{} members are slack: they carry nothing.").format(len(slack)),
+                ((show, ("show", no_nodes, tuple(slack))), (translate("Leave them out"), "leave_out")),
+            )
+        if tension:
+            only = ((translate("Compression only"), "compression"),) if shell.AllowTension else ()
+            yield (
+                translate("{} members are in tension.").format(len(tension)),
+                ((show, ("show", no_nodes, tuple(tension))), *only),
+            )
+        up = np.asarray(result.reactions)[:, 2]
+        pulling = np.flatnonzero(up < -ROUNDING * max(np.abs(up).max(initial=0.0), 1e-300))
+        if len(pulling):
+            yield (
+                translate("{} supports pull the shell down, so it pulls upward there.").format(len(pulling)),
+                ((show, ("show", tuple(pulling.tolist()), ())),),
+            )
+
+    def _tell(self, warnings):
+        if warnings == self._told:
+            return
+        self._told = warnings
+        while self._column.count():
+            widget = self._column.takeAt(0).widget()
+            widget.setParent(None)
+            widget.deleteLater()
+        for number, (sentence, buttons) in enumerate(warnings):
+            self._column.addWidget(self._row(number, sentence, buttons))
+
+    def _row(self, number, sentence, buttons):
+        row = QtWidgets.QWidget()
+        grid = QtWidgets.QGridLayout(row)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(2)
+        text = WrappedText(f"{DOUBTFUL[0]} {sentence}")
+        text.set_colour(DOUBTFUL)
+        text.setObjectName(f"Warning{number}")
+        grid.addWidget(text, 0, 0, 1, len(buttons))
+        for column, (words, action) in enumerate(buttons):
+            button = QtWidgets.QPushButton(words)
+            name = action if isinstance(action, str) else action[0]
+            button.setObjectName(f"Warning{number}_{name}")
+            button.clicked.connect(lambda _=False, action=action: self._do(action))
+            grid.addWidget(button, 1, column)
+        return row
+
+    def _do(self, action):
+        session, shell = self._session, self._session.shell
+        if action == "stiffen":
+            shell.AxialStiffness = 10.0 * shell.AxialStiffness
+        elif action == "compression":
+            shell.AllowTension = False
+        elif action == "leave_out":
+            self._leave_out()
+        else:
+            self._show_these(*action[1:])
+            return
+        session.change()
+
+    def _leave_out(self):
+        from funicular.features.picked_edits import taken_out_of_net
+
+        moment = self._session.moment
+        pairs = moment.scene.net.members[_slack(moment)]
+        for name, value in taken_out_of_net(self._session.net, pairs).items():
+            setattr(self._session.net, name, value)
+
+
+def _slack(moment):
+    """Numbers of the slack members; between two nodes that are held none could carry anything."""
+    held = np.zeros(len(moment.scene.net.nodes), dtype=bool)
+    for support in moment.scene.supports:
+        held[support.ids] |= isinstance(support, fn.Fixed)
+    ends = moment.scene.net.members[np.asarray(moment.certificate.slack_members, dtype=int)]
+    free = ~held[ends].all(axis=1)
+    return np.asarray(moment.certificate.slack_members, dtype=int)[free].tolist()
