@@ -15,8 +15,10 @@ from window import (
     result_line,
     run_command,
     select_faces,
+    session_of,
     settle,
     type_into,
+    wait_for_rest,
     wait_for_result,
     wait_until,
 )
@@ -46,13 +48,14 @@ def test_deleting_the_net_is_a_sentence(opened):
     ],
 )
 def test_bad_input_is_a_sentence_and_the_last_good_shape_stays(opened, name, text, words):
-    before, edges = result_line(), len(opened.Shape.Edges)
-    clear_report_view()
+    before, form = result_line(), wait_for_rest(opened)
     type_into(panel_box(name), text)
     line = wait_for_result(before)
     assert line.startswith("✖") and words in line and "last good shape" in line
-    assert len(opened.Shape.Edges) == edges
-    assert words in report_view()
+    assert len(session_of(opened).form.nodes) == len(form.nodes), "what was found stays in sight"
+    clear_report_view()
+    press("Ok")
+    assert words in report_view() and "Invalid" in opened.State, "and OK tells it of the document"
 
 
 def test_no_supports_is_a_sentence(opened):

@@ -33,9 +33,9 @@ def test_a_flat_sheet_rises_on_its_corners_and_takes_another_size(document):
     Gui.Selection.clearSelection()
     assert Gui.isCommandActive(SHEET)
     run_command(SHEET)
-    assert result_line().startswith("✔"), result_line()
+    before = wait_for_result()
+    assert before.startswith("✔"), before
     assert names(document) == ["Net", "Gridshell"]
-    before = result_line()
     type_into(panel_box("Width"), "6 m")
     wait_for_result(before)
     assert document.Net.Width.Value == 6000

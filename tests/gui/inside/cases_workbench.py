@@ -4,8 +4,8 @@
 import FreeCADGui as Gui
 from funicular.gui.commands import COMMANDS
 from window import (
-    GRIDSHELL,
     QtWidgets,
+    GRIDSHELL,
     clear_report_view,
     command_action,
     press,
@@ -14,6 +14,7 @@ from window import (
     run_command,
     select_faces,
     settle,
+    wait_for_result,
     wait_until,
 )
 
@@ -101,7 +102,7 @@ def test_with_several_faces_of_one_body_it_makes_one_net(document):
     document.recompute()
     select_faces(box, "Face2", "Face6")
     run_command()
-    assert result_line().startswith("✔"), result_line()
+    assert wait_for_result().startswith("✔")
     assert list(document.Net.Source[1]) == ["Face2", "Face6"]
     press("Ok")
 

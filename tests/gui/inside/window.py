@@ -73,9 +73,20 @@ def result_line():
 def wait_for_result(previous=""):
     """The result line, once it says something else than `previous` and is no longer solving."""
     wait_until(
-        lambda: result_line() not in ("", previous) and "Solving" not in result_line(), "a result line"
+        lambda: result_line() not in ("", previous) and not result_line().startswith("…"), "a result line"
     )
     return result_line()
+
+
+def session_of(shell):
+    """The live session of the panel of a gridshell."""
+    return shell.ViewObject.Proxy._panel.session
+
+
+def wait_for_rest(shell):
+    """The form that is shown once it moves no more."""
+    wait_until(lambda: session_of(shell).is_settled, "a form at rest")
+    return session_of(shell).form
 
 
 def press(button):

@@ -30,7 +30,7 @@ from funicular.gui.price_tag import PriceTag
 from funicular.gui.qt import QtCore, QtGui, QtWidgets, translate
 from funicular.gui.texts import WRONG, ResultLine
 
-# After the last keystroke: half-typed values are unreadable too, and nobody wants to be told at each key.
+# After the last keystroke: half-typed values are no steps to lay a net by, nor anything to be told about.
 PAUSE_MS = 300
 
 # Sections that fold, as they come: what is changed most stands open.
@@ -88,7 +88,7 @@ class GridshellPanel:
         self._shell = shell
         self._document = shell.Document
         # Sentences on inputs that cannot be read, by property.
-        self._unreadable = {}
+        self._unreadable, self._says_unreadable = {}, False
         if transaction is None:
             self._document.openTransaction(translate("Edit gridshell"))
             transaction = active_transaction()
@@ -96,13 +96,14 @@ class GridshellPanel:
         self._pause = QtCore.QTimer()
         self._pause.setSingleShot(True)
         self._pause.setInterval(PAUSE_MS)
-        self._pause.timeout.connect(self._say_what_is_unreadable)
+        self._pause.timeout.connect(self._typed)
         self.session = Session(shell)
         self.pointer = Pointer(self._document, shell.getGlobalPlacement)
         self.form = self._build()
         self.drawing = NetDrawing(shell.ViewObject)
         self.session.moved.connect(lambda: self.drawing.show(self.session.form))
         self.session.came.connect(self._came)
+        self.session.failed.connect(self._failed)
         self._in_dialog = True
         self.form.destroyed.connect(self._form_destroyed)
         FreeCAD.addDocumentObserver(self)
@@ -242,11 +243,19 @@ class GridshellPanel:
     def _edited(self):
         self._pause.start()
 
+    def _typed(self):
+        """Typing has ended for now."""
+        self.session.change()
+        self._say_what_is_unreadable()
+
     def _say_what_is_unreadable(self):
+        """What cannot be read stands before what was found without it."""
         if self._unreadable:
             self.state.line.say(WRONG, next(iter(self._unreadable.values())))
-        elif self.session.is_settled:
-            # What was unreadable has been put right, as it was before.
+            self._says_unreadable = True
+        elif self._says_unreadable:
+            # It has been put right, maybe as it was before, and then nothing else will say anything.
+            self._says_unreadable = False
             self.state.show_moment()
 
     def _use_selected_faces(self):
@@ -279,8 +288,14 @@ class GridshellPanel:
         """Let the net rise."""
         self.session.take_up()
 
+    def _failed(self, sentence):
+        if not self._unreadable:
+            self.state.show_failure(sentence)
+
     def _came(self):
         moment = self.session.moment
+        if not self._unreadable:
+            self.state.show_moment()
         if not moment.ended:
             self.effects.stop()
         # Of the other methods no price is known.

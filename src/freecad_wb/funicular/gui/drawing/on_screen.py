@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where things of a 3D view lie on the screen, and which of them the pointer is on."""
 
+import FreeCADGui
 import numpy as np
 
 REACH = 12.0  # [px] from the pointer to what it is taken to mean
@@ -24,9 +25,8 @@ class OnScreen:
         if placement is not None:
             # FreeCAD multiplies columns, from the right.
             self._matrix = np.array(placement.toMatrix().A).reshape(4, 4).T @ self._matrix
-        # Of the widget, which counts in points and not in the pixels of its screen.
-        viewport = view.graphicsView().viewport()
-        self._size = np.array([viewport.width(), viewport.height()], dtype=float)
+        # The widget counts in points, and not in the pixels of its screen.
+        self._size = np.array([width, height]) / FreeCADGui.getMainWindow().devicePixelRatioF()
 
     def of(self, points):
         """(n, 2) places in the widget, from its upper left corner, of points (n, 3) [mm]; and (n,) depths."""

@@ -16,7 +16,8 @@ class InputsPart(QtWidgets.QWidget):
     unreadable : dict
         {property: sentence} of what was written and cannot be read, shared by all columns of a panel.
     on_edit : callable()
-        Called after each edit, readable or not.
+        Called after each edit, readable or not. What was typed is for it to hand to session.change(), once the
+        typing has ended.
     """
 
     def __init__(self, session, rows, unreadable, on_edit):
@@ -31,7 +32,9 @@ class InputsPart(QtWidgets.QWidget):
         # (widget, object, property) of the inputs that follow an expression.
         self._driven = []
         for obj, name, label in rows:
-            widget = make_input(obj, name, self._setter(obj, name), self._unread(name))
+            # A number is typed digit by digit, and a step of 5 mm on the way to 500 would make a vast net.
+            at_once = obj.getTypeIdOfProperty(name) in ("App::PropertyEnumeration", "App::PropertyBool")
+            widget = make_input(obj, name, self._setter(obj, name, at_once), self._unread(name))
             row = self._row(widget, obj, name)
             self.form.addRow(translate(label), row)
             label = self.form.labelForField(row)
@@ -73,7 +76,7 @@ class InputsPart(QtWidgets.QWidget):
 
     def _shower(self, widget, obj, name):
         """Sets a property and lets its box show it."""
-        set_property = self._setter(obj, name)
+        set_property = self._setter(obj, name, at_once=True)
 
         def set_and_show(value):
             set_property(value)
@@ -94,7 +97,7 @@ class InputsPart(QtWidgets.QWidget):
         except ReferenceError:
             pass  # the object is gone, and what depends on it says so
 
-    def _setter(self, obj, name):
+    def _setter(self, obj, name, at_once):
         def set_property(value):
             self._unreadable.pop(name, None)
             try:
@@ -102,11 +105,12 @@ class InputsPart(QtWidgets.QWidget):
                 if not expression_of(obj, name) and getattr(obj, name) != value:
                     setattr(obj, name, value)
                     self.show_what_counts()
-                    self._session.change()
+                    if at_once:
+                        self._session.change()
                 self._follow(obj, name)
             except ReferenceError:
                 # The object is gone, and what depended on it says so when it is solved.
-                pass
+                self._session.change()
             except (TypeError, ValueError) as error:
                 self._unreadable[name] = f"{name}: {error}"
             self._on_edit()

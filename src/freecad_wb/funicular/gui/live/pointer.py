@@ -4,7 +4,7 @@
 import FreeCADGui
 
 from funicular.gui.drawing.on_screen import OnScreen
-from funicular.gui.qt import QtCore
+from funicular.gui.qt import QtCore, QtWidgets
 
 MOUSE = {
     QtCore.QEvent.MouseMove: "moved",
@@ -20,13 +20,16 @@ class Pointer(QtCore.QObject):
     Whoever takes part has any of the methods moved, pressed, released (each with an At) and left(): True says
     that the event is its own, and then neither the view nor anyone after it gets to see it. The latest to
     come is asked first.
+
+    It listens to the whole application: a reference to the widget of a view, once PySide has one, may outlive
+    the view and be taken for the next at the same address.
     """
 
     def __init__(self, document, placement, parent=None):
         super().__init__(parent)
         self._document, self._placement = document, placement
-        self._takers, self._viewports = [], []
-        self._watch()
+        self._takers = []
+        QtWidgets.QApplication.instance().installEventFilter(self)
 
     def add(self, taker):
         self._takers.insert(0, taker)
@@ -36,32 +39,34 @@ class Pointer(QtCore.QObject):
             self._takers.remove(taker)
 
     def stop(self):
-        """Watch no view any more."""
-        for _, viewport in self._viewports:
-            try:
-                viewport.removeEventFilter(self)
-            except RuntimeError:
-                pass  # it is closed
-        self._viewports, self._takers = [], []
-
-    def _watch(self):
-        views = FreeCADGui.getDocument(self._document.Name).mdiViewsOfType("Gui::View3DInventor")
-        for view in views:
-            viewport = view.graphicsView().viewport()
-            viewport.setMouseTracking(True)
-            viewport.installEventFilter(self)
-            self._viewports.append((view, viewport))
+        """Listen no more."""
+        QtWidgets.QApplication.instance().removeEventFilter(self)
+        self._takers = []
 
     def eventFilter(self, watched, event):
         name = MOUSE.get(event.type())
-        view = next((view for view, viewport in self._viewports if viewport is watched), None)
-        if name is None or view is None:
+        if name is None or not self._takers:
+            return False
+        view = self._view_of(watched)
+        if view is None:
             return False
         for taker in tuple(self._takers):
             take = getattr(taker, name, None)
             if take is not None and take(*(() if name == "left" else (At(view, event, self._placement),))):
                 return True
         return False
+
+    def _view_of(self, widget):
+        """The 3D view of the document that the widget draws; None if it is no such widget."""
+        try:
+            if not (isinstance(widget, QtWidgets.QWidget) and widget.inherits("QOpenGLWidget")):
+                return None
+        except RuntimeError:
+            return None  # it is just being closed
+        active = FreeCADGui.activeDocument()
+        view = active.ActiveView if active and active.Document == self._document else None
+        # A press makes a view the active one before this; what only passes over another is not ours.
+        return view if hasattr(view, "getCameraNode") else None
 
 
 class At:

@@ -6,6 +6,9 @@ import time
 from collections import deque
 
 import funicular as fn
+from funicular.features.feature import EXPECTED, reason
+from funicular.features.gridshell import scene_of, solver_options
+from funicular.features.net import net_of
 from funicular.form import form_of_moment
 from funicular.live import LiveSolve
 from funicular.gui.qt import QtCore
@@ -39,15 +42,20 @@ class Session(QtCore.QObject):
 
     def __init__(self, shell, parent=None):
         super().__init__(parent)
-        self.shell, self.net = shell, shell.Net
+        self.shell = shell
         self.form = self.moment = None
         self.frame_seconds = deque(maxlen=KEPT_FRAMES)
         self.watched, self.accuracy = False, 1e-3
-        self._net = self._live = self._pace = None
+        self._net = self._laid = self._live = self._pace = None
         self._changed = False
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(FRAME_MS)
         self._timer.timeout.connect(self._frame)
+
+    @property
+    def net(self):
+        """The Net of the gridshell, None where it was taken away."""
+        return self.shell.Net
 
     # What the panel and its parts ask for
 
@@ -109,8 +117,6 @@ class Session(QtCore.QObject):
 
     def scene_and_accuracy(self):
         """(fn.Scene, accuracy [m]) as the properties are. Raises InvalidInput."""
-        from funicular.features.gridshell import scene_of, solver_options
-
         return scene_of(self.shell, self._net), solver_options(self.shell)["accuracy"]
 
     @property
@@ -164,34 +170,55 @@ class Session(QtCore.QObject):
         """Give the solver what the properties say now."""
         self._changed = False
         try:
+            self._follow_expressions()
             self._lay_net()
-            scene, accuracy = self.scene_and_accuracy()
-        except (ValueError, RuntimeError) as error:
-            self.failed.emit(str(error))
+            scene, self.accuracy = self.scene_and_accuracy()
+        except (*EXPECTED, ReferenceError) as error:
+            self.failed.emit(str(reason(error)))
             return
-        self.accuracy = accuracy
         method = "relaxation" if self.watched else self.shell.Method.lower()
         now = time.monotonic()
         if self._live is None:
-            self._live = LiveSolve(scene, accuracy, method, self.watched)
+            self._live = LiveSolve(scene, self.accuracy, method, self.watched)
         else:
-            self._live.change(scene, accuracy, method, self.watched)
+            self._live.change(scene, self.accuracy, method, self.watched)
         if self._pace is None or len(self._pace.nodes) != len(scene.net.nodes):
             self._pace = Pace(scene.net.nodes, now)
         else:
             self._pace.change(now)
 
+    def _follow_expressions(self):
+        """FreeCAD evaluates them when it computes an object, which here waits for OK."""
+        for path, expression in self.shell.ExpressionEngine:
+            name = path.lstrip(".")
+            if name in self.shell.PropertiesList:
+                setattr(self.shell, name, self.shell.evalExpression(expression))
+
     def _lay_net(self):
         """Compute the net, and what holds it, where their properties have changed; the gridshell waits."""
-        from funicular.features.net import net_of
-
-        if self.net is None:
+        net = self.net
+        if net is None:
             raise fn.InvalidInput("Net is empty: close this panel and set it to a Net of this document")
-        if self._net is None or "Touched" in self.net.State or "Invalid" in self.net.State:
-            self.net.recompute()
-            if "Invalid" in self.net.State:
-                raise fn.InvalidInput(self.net.getStatusString())
-            self._net = net_of(self.net)
+        if self._net is None or self._laid is not net or _is_to_compute(net):
+            self._net = None
+            _compute(net)
+            self._net, self._laid = net_of(net), net
         for support in self.shell.Supports:
-            if "Touched" in support.State:
-                support.recompute()
+            if _is_to_compute(support):
+                _compute(support)
+
+
+def _is_to_compute(obj):
+    return "Touched" in obj.State or "Invalid" in obj.State
+
+
+def _compute(obj):
+    """Raises InvalidInput with what the object says where it cannot be computed."""
+    if not _is_to_compute(obj):
+        return
+    try:
+        obj.recompute()
+    except EXPECTED:
+        pass  # its state says it too, and better
+    if "Invalid" in obj.State:
+        raise fn.InvalidInput(obj.getStatusString())

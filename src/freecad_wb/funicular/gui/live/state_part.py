@@ -29,18 +29,19 @@ class StatePart(QtWidgets.QWidget):
         column.addWidget(self.warnings)
         self._chart = StripChart()
         column.addWidget(self._chart)
-        session.came.connect(self.show_moment)
-        session.failed.connect(self.show_failure)
 
     def show_moment(self):
         """Say what the latest moment is."""
         session = self._session
+        if session.moment is None or session.moment.error:
+            return
         self.line.say(*self._words())
         self._chart.show_course(session.chart, session.accuracy)
         if session.moment.ended:
             self.warnings.show_moment(session.moment)
 
     def show_failure(self, sentence):
+        """Say why there is nothing new."""
         kept = "" if self._session.form is None else " " + translate("(The last good shape stays.)")
         self.line.say(WRONG, sentence + self._remedy(sentence) + kept)
         self.warnings.clear()
