@@ -13,6 +13,7 @@ from funicular.make import make_gridshell
 from window import (
     QtGui,
     QtWidgets,
+    child,
     colours_of,
     legends,
     panel_box,
@@ -349,6 +350,9 @@ def test_picture_of_the_whole_window_with_its_panel(roof, pictures):
     Gui.Selection.clearSelection()
     view().viewIsometric()
     view().fitAll()
+    # What is asked below is in the part of the panel that is seen.
+    child(QtWidgets.QToolButton, "SectionNet").click()
+    child(QtWidgets.QToolButton, "SectionMoreOfTheNet").click()
     settle(20)
     path = pictures / "window.png"
     # Of the screen, not of the window: the 3D view is not Qt's to draw.

@@ -39,7 +39,10 @@ def document(workbench):
     document = App.newDocument("Case")
     document.UndoMode = 1
     Gui.Selection.clearSelection()
-    App.ParamGet("User parameter:BaseApp/Preferences/Mod/Funicular").SetBool("OpenMoreOfTheNet", True)
+    preferences = App.ParamGet("User parameter:BaseApp/Preferences/Mod/Funicular")
+    for folded in preferences.GetBools():
+        preferences.RemBool(folded)
+    preferences.SetBool("OpenMoreOfTheNet", True)
     view = Gui.ActiveDocument.ActiveView
     view.setAnimationEnabled(False)
     clear_report_view()

@@ -89,6 +89,7 @@ class GridshellPanel:
         self._document = shell.Document
         # Sentences on inputs that cannot be read, by property.
         self._unreadable, self._says_unreadable = {}, False
+        self._columns, self._scene = [], None
         if transaction is None:
             self._document.openTransaction(translate("Edit gridshell"))
             transaction = active_transaction()
@@ -218,6 +219,7 @@ class GridshellPanel:
             if not rows:
                 continue
             part = InputsPart(self.session, rows, self._unreadable, self._edited)
+            self._columns.append(part)
             if heading == "Net":
                 part.form.insertRow(0, translate("Source"), self._source_button())
             elif heading == "Solution":
@@ -241,6 +243,8 @@ class GridshellPanel:
     # What the user does
 
     def _edited(self):
+        for column in self._columns:
+            column.show_what_counts()
         self._pause.start()
 
     def _typed(self):
@@ -296,7 +300,9 @@ class GridshellPanel:
         moment = self.session.moment
         if not self._unreadable:
             self.state.show_moment()
-        if not moment.ended:
+        if moment.scene is not self._scene:
+            # What was measured is of another one.
+            self._scene = moment.scene
             self.effects.stop()
         # Of the other methods no price is known.
         if moment.ended and self._shell.Method == "Auto" and moment.result.status == "converged":

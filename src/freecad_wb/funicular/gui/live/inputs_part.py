@@ -104,7 +104,6 @@ class InputsPart(QtWidgets.QWidget):
                 # A property that follows an expression is the expression's to set.
                 if not expression_of(obj, name) and getattr(obj, name) != value:
                     setattr(obj, name, value)
-                    self.show_what_counts()
                     if at_once:
                         self._session.change()
                 self._follow(obj, name)
