@@ -58,3 +58,21 @@ def form_of_moment(moment, nodes):
         np.array(certificate.tension_members if certificate else (), dtype=int),
         np.array(certificate.slack_members if certificate else (), dtype=int),
     )
+
+
+def numbers_of(form):
+    """What forms are compared by: a dict of numbers.
+
+    rise, longest_member, mean_deviation, most_deviation (of the nodes, from where they were laid) in m;
+    weight, most_compression, most_tension in N.
+    """
+    away = np.linalg.norm(form.nodes - form.source_nodes, axis=1)
+    return {
+        "rise": float(np.ptp(form.nodes[:, 2])),
+        "weight": float(-form.loads()[:, 2].sum()),
+        "longest_member": float(form.member_lengths.max()),
+        "most_compression": float(max(-form.member_forces.min(), 0.0)) + 0.0,
+        "most_tension": float(max(form.member_forces.max(), 0.0)) + 0.0,
+        "mean_deviation": float(away.mean()),
+        "most_deviation": float(away.max()),
+    }

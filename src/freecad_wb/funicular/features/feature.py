@@ -9,12 +9,16 @@ import FreeCAD as App
 import funicular as fn
 
 
+NOT_TO_COMPUTE = 16  # FreeCAD's Prop_NoRecompute
+
+
 @dataclass(frozen=True)
 class Property:
     """One property of a document object: what it is, not its value.
 
     default: the value of a new object, as FreeCAD takes it ("500 mm"). choices: of an enumeration.
-    unit: of a quantity; a plain number means it. mode: "ReadOnly", "Hidden" or both.
+    unit: of a quantity; a plain number means it. mode: "ReadOnly", "Hidden" or both. is_input: whether the
+    object is to be computed again when it changes.
     """
 
     kind: str
@@ -25,6 +29,7 @@ class Property:
     choices: tuple = ()
     unit: str = None
     mode: tuple = ()
+    is_input: bool = True
 
     def ensure(self, obj):
         """Give the object this property if it lacks it, and what FreeCAD does not save of it."""
@@ -59,7 +64,9 @@ class Property:
             setattr(obj, self.name, math.nan)
 
     def _add(self, obj):
-        obj.addProperty(self.kind, self.name, self.group, self.tooltip)
+        obj.addProperty(
+            self.kind, self.name, self.group, self.tooltip, 0 if self.is_input else NOT_TO_COMPUTE
+        )
         obj.setEditorMode(self.name, list(self.mode))
 
 

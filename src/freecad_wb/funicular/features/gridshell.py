@@ -122,6 +122,14 @@ class Gridshell(Feature):
             "Rounds that bring the members back to their lengths on the source; 0 for none",
             0,
         ),
+        Property(
+            "App::PropertyStringList",
+            "Variants",
+            "Variants",
+            "What was kept of this gridshell under a name, see funicular.features.variants",
+            mode=("Hidden",),
+            is_input=False,
+        ),
         _result(
             "App::PropertyString",
             "Status",

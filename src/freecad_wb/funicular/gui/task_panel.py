@@ -14,11 +14,13 @@ from funicular.gui.effect_list import EffectList
 from funicular.gui.icons import icon
 from funicular.gui.inputs import SECTIONS
 from funicular.gui.live.inputs_part import InputsPart
+from funicular.gui.live.matching_part import MatchingPart
 from funicular.gui.live.motion_part import MotionPart
 from funicular.gui.live.pointer import Pointer
 from funicular.gui.live.section import Section
 from funicular.gui.live.session import Session
 from funicular.gui.live.state_part import StatePart
+from funicular.gui.live.variants_part import VariantsPart, picture_of_view
 from funicular.gui.picking import (
     WrongSelection,
     are_edges_source,
@@ -227,11 +229,23 @@ class GridshellPanel:
                 self.effects = EffectList(self.session.scene_and_accuracy)
                 part.form.insertRow(part.row_of("Accuracy") + 1, "", self.price)
                 part.form.addRow(self.effects)
+                self.matching = MatchingPart(self.session, lambda n: part.set_value("LengthMatching", n))
+                part.form.insertRow(part.row_of("LengthMatching") + 1, self.matching)
             yield heading.title().replace(" ", ""), translate(heading), part
 
     def _parts(self):
         """(name, title, widget) of each other section."""
-        return ()
+        self.variants = VariantsPart(self.session, picture_of_view(self._view), self._show_inputs)
+        yield "Alternatives", translate("Alternatives"), self.variants
+
+    def _view(self):
+        """The 3D view of the document."""
+        return FreeCADGui.getDocument(self._document.Name).ActiveView
+
+    def _show_inputs(self):
+        """Let the boxes show what the properties have become by other hands."""
+        for column in self._columns:
+            column.show_all()
 
     def _source_button(self):
         button = QtWidgets.QPushButton(translate("Use selected faces"))
@@ -318,6 +332,8 @@ class GridshellPanel:
         self.drawing.remove()
         self.price.stop()
         self.effects.stop()
+        self.matching.leave()
+        self.variants.leave()
         FreeCAD.removeDocumentObserver(self)
         document, self._document, self._shell = self._document, None, None
         return document

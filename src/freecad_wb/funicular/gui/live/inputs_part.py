@@ -16,8 +16,8 @@ class InputsPart(QtWidgets.QWidget):
     unreadable : dict
         {property: sentence} of what was written and cannot be read, shared by all columns of a panel.
     on_edit : callable()
-        Called after each edit, readable or not. What was typed is for it to hand to session.change(), once the
-        typing has ended.
+        Called after each edit, readable or not. What was typed is for it to hand to session.change(), once
+        the typing has ended.
     """
 
     def __init__(self, session, rows, unreadable, on_edit):
@@ -28,7 +28,7 @@ class InputsPart(QtWidgets.QWidget):
         self.form.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
         self.form.setVerticalSpacing(1)
         # (label, row, object, property) of all inputs; of each property what it was, and how it goes back.
-        self._rows, self._first, self._resets, self._sliders = [], {}, {}, {}
+        self._rows, self._first, self._resets, self._sliders, self._set = [], {}, {}, {}, {}
         # (widget, object, property) of the inputs that follow an expression.
         self._driven = []
         for obj, name, label in rows:
@@ -46,6 +46,20 @@ class InputsPart(QtWidgets.QWidget):
         self.show_what_counts()
         session.came.connect(self.follow_expressions)
 
+    def has(self, name):
+        return name in self._set
+
+    def set_value(self, name, value):
+        """Set a property as if the user had, and show it."""
+        self._set[name](value)
+
+    def show_all(self):
+        """Show what the properties have become by other hands."""
+        for label, row, obj, name in self._rows:
+            show_value(row.findChild(QtWidgets.QWidget, name), obj, name)
+            self._follow(obj, name)
+        self.show_what_counts()
+
     def row_of(self, name):
         """Number of the row of a property in the form."""
         row = next(row for _, row, _, each in self._rows if each == name)
@@ -62,14 +76,13 @@ class InputsPart(QtWidgets.QWidget):
         if expression_of(obj, name):
             return row
         value = getattr(obj, name)
+        set_and_show = self._set[name] = self._shower(widget, obj, name)
         if name in WITH_SLIDERS:
-            self._sliders[name] = AmountSlider(name, value, self._session, self._shower(widget, obj, name))
+            self._sliders[name] = AmountSlider(name, value, self._session, set_and_show)
             self._sliders[name].setToolTip(widget.toolTip())
             line.addWidget(self._sliders[name], 1, 0)
         text = getattr(widget, "text", lambda: str(value))() if name in WITH_SLIDERS else str(value)
-        self._resets[name] = ResetButton(
-            name, text or str(value), lambda: self._shower(widget, obj, name)(value)
-        )
+        self._resets[name] = ResetButton(name, text or str(value), lambda: set_and_show(value))
         line.addWidget(self._resets[name], 0, 1)
         self._first[name] = value
         return row

@@ -24,8 +24,9 @@ class Session(QtCore.QObject):
     """What all parts of the panel share.
 
     shell, net: the objects in the document. form: the funicular.form.Form that is shown, None before the
-    first. moment: the funicular.live.Moment that it goes to. frame_seconds: what the latest frames took of
-    the window's time, that of whoever listens to `moved` included. accuracy: [m], as it was last taken up.
+    first. own_form: that of the gridshell itself, while another one is looked at. moment: the
+    funicular.live.Moment that it goes to. frame_seconds: what the latest frames took of the window's time,
+    that of whoever listens to `moved` included. accuracy: [m], as it was last taken up.
 
     A part that changes a property of the gridshell, its net or its supports calls change(); it may do so as
     often as it likes, for what has changed is taken up once a frame.
@@ -43,7 +44,7 @@ class Session(QtCore.QObject):
     def __init__(self, shell, parent=None):
         super().__init__(parent)
         self.shell = shell
-        self.form = self.moment = None
+        self.own_form = self.moment = self._other = None
         self.frame_seconds = deque(maxlen=KEPT_FRAMES)
         self.watched, self.accuracy = False, 1e-3
         self._net = self._laid = self._live = self._pace = None
@@ -51,6 +52,10 @@ class Session(QtCore.QObject):
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(FRAME_MS)
         self._timer.timeout.connect(self._frame)
+
+    @property
+    def form(self):
+        return self._other if self._other is not None else self.own_form
 
     @property
     def net(self):
@@ -85,6 +90,19 @@ class Session(QtCore.QObject):
             self.watched = watched
             self._take_up()
             self.restart()
+
+    def look_at(self, form):
+        """Show another Form of the same net in place of the gridshell's own; None shows that again."""
+        if form is not self._other:
+            self._other = form
+            if self.form is not None:
+                self.moved.emit()
+
+    def solve_scene(self, scene):
+        """Go on with a scene that is more than what the properties say, until one of them changes."""
+        self._live.change(scene, self.accuracy, self.shell.Method.lower(), self.watched)
+        self._pace.change(time.monotonic())
+        self._timer.start()
 
     def pause(self):
         if self._live is not None:
@@ -150,8 +168,9 @@ class Session(QtCore.QObject):
             if len(target) == len(self._pace.nodes):
                 still = not is_running
                 arrived = self._pace.toward(target, time.monotonic(), still)
-                self.form = form_of_moment(self.moment, self._pace.nodes)
-                self.moved.emit()
+                self.own_form = form_of_moment(self.moment, self._pace.nodes)
+                if self._other is None:
+                    self.moved.emit()
         if arrived and not is_running and not self._changed:
             self._timer.stop()
         self.frame_seconds.append(time.perf_counter() - begun)
@@ -168,7 +187,7 @@ class Session(QtCore.QObject):
 
     def _take_up(self):
         """Give the solver what the properties say now."""
-        self._changed = False
+        self._changed, self._other = False, None
         try:
             self._follow_expressions()
             self._lay_net()

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Form of a Gridshell as its last result is in the document."""
+
+import numpy as np
+
+from ..form import Form
+from .net import panels_of, positions_of
+
+METRES = 1e-3  # of a millimetre
+
+
+def form_of(shell):
+    """The funicular.form.Form of a Gridshell's results, before its Placement; None before it has any.
+
+    Where the net has changed since, source nodes are those of the result: nothing is known of how far it is
+    from where it was laid.
+    """
+    if not len(shell.MemberForces):
+        return None
+    nodes = np.array([tuple(node) for node in shell.NodePositions]) * METRES
+    source = positions_of(shell.Net) * METRES if shell.Net else nodes
+    return Form(
+        nodes,
+        source if len(source) == len(nodes) else nodes,
+        np.array(shell.Members, dtype=int).reshape(-1, 2),
+        panels_of(shell.Panels),
+        np.array(shell.MemberForces),
+        np.array([tuple(reaction) for reaction in shell.Reactions]),
+        np.array(shell.TensionMembers, dtype=int),
+        np.array(shell.SlackMembers, dtype=int),
+    )

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Match lengths: bring the members back to their lengths on the source, and see how near they came."""
+
+import numpy as np
+
+import funicular as fn
+from funicular.gui.background import Background
+from funicular.gui.qt import QtWidgets, translate
+from funicular.gui.texts import WrappedText
+
+ROUNDS = 8  # after which little is to be gained; it ends earlier where nothing is
+
+
+class MatchingPart(QtWidgets.QWidget):
+    """A button that matches, one that does without again, and what it came to.
+
+    While the gridshell's property LengthMatching asks for rounds, each form that settles is matched.
+    """
+
+    def __init__(self, session, set_rounds):
+        super().__init__()
+        self._session, self._set_rounds = session, set_rounds
+        # The scene that was made of the properties, and that which matching has made of it.
+        self._of = self._matched = None
+        self._background = Background(self, self._found)
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        row = QtWidgets.QHBoxLayout()
+        column.addLayout(row)
+        self._match = QtWidgets.QPushButton(translate("Match lengths"))
+        self._match.setObjectName("MatchLengths")
+        self._match.setToolTip(
+            translate(
+                "Shorten what has become longer than on the source and lengthen what has become shorter, "
+                "round by round, as far as equilibrium lets it"
+            )
+        )
+        self._match.clicked.connect(lambda: self._ask(ROUNDS))
+        row.addWidget(self._match)
+        self._undo = QtWidgets.QPushButton(translate("Undo matching"))
+        self._undo.setObjectName("UndoMatching")
+        self._undo.setToolTip(translate("Do without, or end it while it goes on"))
+        self._undo.clicked.connect(lambda: self._ask(0))
+        row.addWidget(self._undo)
+        self._text = WrappedText("")
+        self._text.setObjectName("MatchingResult")
+        column.addWidget(self._text)
+        session.came.connect(self._look)
+        self._show_buttons()
+
+    def leave(self):
+        self._background.stop()
+
+    def _ask(self, rounds):
+        self._set_rounds(rounds)
+        self._background.stop()
+        self._of = None
+        self._text.setText("")
+        self._show_buttons()
+        self._session.change()
+
+    def _show_buttons(self):
+        self._undo.setEnabled(self._session.shell.LengthMatching > 0)
+
+    def _look(self):
+        """Match a form that has just settled, if that is asked for."""
+        moment, rounds = self._session.moment, self._session.shell.LengthMatching
+        self._show_buttons()
+        if not moment.ended or moment.scene is self._matched or moment.scene is self._of:
+            return
+        self._of = moment.scene
+        self._background.stop()
+        if rounds <= 0 or moment.result.status != "converged":
+            self._text.setText(_deviation_text(moment))
+            return
+        self._text.setText(translate("Matching lengths, {} rounds").format(rounds))
+        method, accuracy = self._session.shell.Method.lower(), self._session.accuracy
+        self._background.ask(lambda is_wanted: _match(moment, rounds, accuracy, method, is_wanted))
+
+    def _found(self, matched):
+        if isinstance(matched, str):
+            self._text.setText(matched)
+            return
+        self._matched = matched.scene
+        before, after = matched.deviations[0], matched.deviations[matched.best_round]
+        self._text.setText(
+            translate("Lengths differ by {:.2g} % → {:.2g} % (rms), best reached after {} rounds").format(
+                100 * before, 100 * after, matched.best_round
+            )
+        )
+        self._session.solve_scene(matched.scene)
+
+
+def _deviation_text(moment):
+    result = moment.result
+    if result.status != "converged":
+        return ""
+    apart = result.member_lengths / moment.scene.net.source_lengths - 1.0
+    return translate("Lengths differ from those on the source by {:.2g} % (rms)").format(
+        100 * float(np.sqrt(np.mean(apart**2)))
+    )
+
+
+def _match(moment, rounds, accuracy, method, is_wanted):
+    try:
+        return fn.solve_matching_lengths(
+            moment.scene,
+            rounds=rounds,
+            accuracy=accuracy,
+            method=method,
+            start=moment.result.nodes,
+            on_progress=lambda report: is_wanted(),
+        )
+    except ValueError as error:
+        return str(error)
