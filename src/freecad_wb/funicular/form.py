@@ -45,14 +45,14 @@ class Form:
         return loads
 
 
-def form_of_moment(moment, nodes):
-    """The Form of a live.Moment, its nodes (n, 3) [m] shown where they are on their way."""
+def form_of_moment(moment):
+    """The Form of a live.Moment, which has a result; a dataclasses.replace() away from those on the way."""
     result, net, certificate = moment.result, moment.scene.net, moment.certificate
     return Form(
-        nodes,
+        result.nodes,
         net.nodes,
         net.members,
-        net.panels,
+        moment.panels,
         result.member_forces,
         result.reactions,
         np.array(certificate.tension_members if certificate else (), dtype=int),

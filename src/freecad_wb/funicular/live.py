@@ -13,6 +13,8 @@ import numpy as np
 
 import funicular as fn
 
+from .panels import Cover
+
 SLICE = 0.02  # [s] that the solver goes on for before it looks whether something else is wanted
 WATCHED_FRAME = 1.0 / 30.0  # [s] between two looks at a relaxation that is meant to be watched
 # Each look at it is this much more steps than the one before: the first steps can be seen one by one, and the
@@ -25,13 +27,16 @@ class Moment:
     """What a live solve has come to.
 
     scene: the Scene that it is about. result: the Result so far; its status is that of the solver once
-    `ended`. certificate: of the result, once it has ended. error: why there is no result, else "".
+    `ended`. certificate: of the result, once it has ended, and covered: the area of its panels over that on
+    the source. panels: as net.panels, made once for each net. error: why there is no result, else "".
     """
 
     scene: object
     result: object
     ended: bool
     certificate: object = None
+    covered: float = 1.0
+    panels: tuple = ()
     error: str = ""
 
 
@@ -57,7 +62,7 @@ class LiveSolve:
         self._order = _Order(scene, accuracy, method, watched, start)
         self._steps, self._paused = 0, False
         self._latest, self._chart, self._begun = None, [], time.monotonic()
-        self._solver = self._doing = None
+        self._solver = self._doing = self._cover = self._covers = None
         with self._lock:
             self._wake()
 
@@ -156,6 +161,8 @@ class LiveSolve:
     def _begin(self, order, before):
         nodes = None if self._solver is None else self._solver.nodes
         self._chart, self._begun = [], time.monotonic()
+        if order.scene.net is not self._covers:
+            self._cover, self._covers = Cover(order.scene.net), order.scene.net
         if order.goes_on and nodes is not None and len(nodes) == len(order.scene.net.nodes):
             if (order.accuracy, order.method) == (before.accuracy, before.method):
                 self._solver.replace(order.scene)
@@ -182,8 +189,11 @@ class LiveSolve:
         error = result.position_error if np.isfinite(result.position_error) else np.nan
         self._chart.append((time.monotonic() - self._begun, result.residual, error))
         scene = self._doing.scene
-        certificate = fn.certify(scene, result) if ended else None
-        self._latest = Moment(scene, result, ended, certificate)
+        if not ended:
+            self._latest = Moment(scene, result, False, panels=self._cover.panels)
+        else:
+            certificate, left = fn.certify(scene, result), self._cover.left(result.nodes)
+            self._latest = Moment(scene, result, True, certificate, left, self._cover.panels)
 
 
 @dataclass

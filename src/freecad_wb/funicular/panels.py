@@ -17,7 +17,7 @@ def best_planes(nodes, panels):
     """
     centres, normals, distances = np.zeros((3, len(panels), 3))
     distances = distances[:, 0]
-    for which, corners in _by_corner_count(nodes, panels):
+    for which, corners in Groups(panels).corners(nodes):
         centre = corners.mean(axis=1)
         offsets = corners - centre[:, None]
         # The last of the right singular vectors is the direction in which the corners vary least.
@@ -32,12 +32,7 @@ def best_planes(nodes, panels):
 
 def areas(nodes, panels):
     """(p,) areas as the core counts covering: of the triangles between the edges and the corners' mean."""
-    found = np.zeros(len(panels))
-    for which, corners in _by_corner_count(nodes, panels):
-        spokes = corners - corners.mean(axis=1, keepdims=True)
-        doubled = np.linalg.norm(np.cross(spokes, np.roll(spokes, -1, axis=1)), axis=2)
-        found[which] = 0.5 * doubled.sum(axis=1)
-    return found
+    return Groups(panels).areas(nodes)
 
 
 def triangles(nodes, panels):
@@ -63,10 +58,47 @@ def turned(panel):
     return (*panel[1:], panel[0])
 
 
-def _by_corner_count(nodes, panels):
-    """(numbers of the panels, (k, corners, 3) positions) for each number of corners that occurs."""
-    nodes = np.asarray(nodes, dtype=float)
-    counts = np.array([len(panel) for panel in panels], dtype=int)
-    for count in np.unique(counts):
-        which = np.flatnonzero(counts == count)
-        yield which, nodes[np.array([panels[number] for number in which])]
+class Groups:
+    """Panels by how many corners they have, for whoever asks for their areas at many positions of the nodes.
+
+    panels: sequences of node numbers.
+    """
+
+    def __init__(self, panels):
+        counts = np.array([len(panel) for panel in panels], dtype=int)
+        self._count = len(panels)
+        self._groups = [
+            (which, np.array([panels[number] for number in which]))
+            for which in (np.flatnonzero(counts == count) for count in np.unique(counts))
+        ]
+
+    def corners(self, nodes):
+        """(numbers of the panels, (k, corners, 3) positions) for each number of corners that occurs."""
+        nodes = np.asarray(nodes, dtype=float)
+        for which, numbers in self._groups:
+            yield which, nodes[numbers]
+
+    def areas(self, nodes):
+        """As areas(), of these panels."""
+        found = np.zeros(self._count)
+        for which, corners in self.corners(nodes):
+            spokes = corners - corners.mean(axis=1, keepdims=True)
+            doubled = np.linalg.norm(np.cross(spokes, np.roll(spokes, -1, axis=1)), axis=2)
+            found[which] = 0.5 * doubled.sum(axis=1)
+        return found
+
+
+class Cover:
+    """The panels of a Net, and what becomes of their area as the nodes move.
+
+    panels: as net.panels, which makes them anew each time that it is asked.
+    """
+
+    def __init__(self, net):
+        self.panels = net.panels
+        self._groups = Groups(self.panels)
+        self._before = self._groups.areas(net.nodes).sum()
+
+    def left(self, nodes):
+        """Area of the panels at `nodes` (n, 3) over that as the net was laid; 1 without panels."""
+        return float(self._groups.areas(nodes).sum() / self._before) if self._before else 1.0

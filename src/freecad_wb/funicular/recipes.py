@@ -43,12 +43,12 @@ def support_recipe(net, name, openings=()):
 
 
 def _boundary(net, openings):
-    if not net.panels:
+    border = np.setdiff1d(net.border, np.concatenate([np.array([], dtype=int), *openings]))
+    if not len(border) and not net.panels:
         raise fn.InvalidInput(
             "recipe 'boundary': the net has no panels, and so no border; choose 'lowest points' instead, and "
             "leave the covering out"
         )
-    border = np.setdiff1d(net.border, np.concatenate([np.array([], dtype=int), *openings]))
     if not len(border):
         raise fn.InvalidInput(
             "recipe 'boundary': the net is closed and has no border; choose 'lowest points' instead"

@@ -3,7 +3,7 @@
 
 import FreeCAD as App
 
-from ..panels import areas
+from ..panels import Cover
 from ..wording import force_text
 
 translate = App.Qt.translate
@@ -31,8 +31,11 @@ def complaint(status, message):
     return f"{message} {change}"
 
 
-def sentence_of(scene, result, certificate):
-    """What a converged Result of a Scene is: "Compression only. 0.4 mm from equilibrium. 184 kN total, …"."""
+def sentence_of(scene, result, certificate, left=None):
+    """What a converged Result of a Scene is: "Compression only. 0.4 mm from equilibrium. 184 kN total, …".
+
+    left: what panels.Cover.left() says of the result, for who has it already.
+    """
     sentences = [_forces(result, certificate), distance_text(result.position_error)]
     sentences.append(
         translate("Funicular", "{} total, balanced to {:.0e}").format(
@@ -46,7 +49,7 @@ def sentence_of(scene, result, certificate):
                 "Funicular", "Members up to {:.3g} times as long as on the face: stiffer ones stretch less"
             ).format(stretch)
         )
-    left = _covered(scene.net, result.nodes)
+    left = Cover(scene.net).left(result.nodes) if left is None else left
     if left < REMARKABLE_SHRINKAGE:
         sentences.append(
             translate(
@@ -85,9 +88,3 @@ def _forces(result, certificate):
             force_text(certificate.worst_tension),
         )
     return certificate.summary().rstrip(".")
-
-
-def _covered(net, nodes):
-    """Area of the panels over that on the face; 1 without panels."""
-    before = areas(net.nodes, net.panels).sum() if net.panels else 0.0
-    return float(areas(nodes, net.panels).sum() / before) if before else 1.0

@@ -10,4 +10,5 @@ def length_in_words(metres):
     """1 mm, 10 µm, 0.0394 in: three digits in the user's unit schema; FreeCAD itself would round to zero."""
     length = FreeCAD.Units.Quantity(metres / METRES, FreeCAD.Units.Length)
     _, size, unit = length.getUserPreferred()
-    return f"{length.Value / size:.3g} {unit}"
+    value = length.Value / size
+    return f"{value:.0f} {unit}" if abs(value) >= 999.5 else f"{value:.3g} {unit}"

@@ -34,6 +34,8 @@ from funicular.gui.texts import WRONG, ResultLine
 
 # After the last keystroke: half-typed values are no steps to lay a net by, nor anything to be told about.
 PAUSE_MS = 300
+# After the last motion: until then the time is its own.
+QUIET_MS = 600
 
 # Sections that fold, as they come: what is changed most stands open.
 FOLDED_AT_FIRST = ("MoreOfTheNet", "View", "ColoursAndReadings", "Alternatives")
@@ -100,6 +102,10 @@ class GridshellPanel:
         self._pause.setSingleShot(True)
         self._pause.setInterval(PAUSE_MS)
         self._pause.timeout.connect(self._typed)
+        self._quiet = QtCore.QTimer()
+        self._quiet.setSingleShot(True)
+        self._quiet.setInterval(QUIET_MS)
+        self._quiet.timeout.connect(self._rested)
         self.session = Session(shell)
         self.pointer = Pointer(self._document, shell.getGlobalPlacement)
         self.form = self._build()
@@ -318,15 +324,21 @@ class GridshellPanel:
             # What was measured is of another one.
             self._scene = moment.scene
             self.effects.stop()
+        # A price is found by solving: it would take its time from what moves.
+        self.price.stop()
+        self._quiet.start()
+
+    def _rested(self):
+        """Nothing has come for a while."""
+        moment = self.session.moment
         # Of the other methods no price is known.
         if moment.ended and self._shell.Method == "Auto" and moment.result.status == "converged":
-            self.price.ask(*self.session.scene_and_accuracy(), None)
-        else:
-            self.price.stop()
+            self.price.ask(moment.scene, self.session.accuracy, None)
 
     def _leave(self):
         """Stop following the document, which may be about to go; returns it."""
         self._pause.stop()
+        self._quiet.stop()
         self.session.stop()
         self.pointer.stop()
         self.drawing.remove()

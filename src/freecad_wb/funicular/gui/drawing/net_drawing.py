@@ -36,7 +36,7 @@ class NetDrawing:
         self._lines.vertexProperty = self._vertices
         for node in (unpickable, light, style, self._lines):
             self._root.addChild(node)
-        self._members = None
+        self._members = self._forces = None
         self.highlight = Highlight(self._root)
         vobj.RootNode.addChild(self._root)
         self._was_shown = vobj.SwitchNode.whichChild.getValue()
@@ -51,12 +51,15 @@ class NetDrawing:
             indices = np.column_stack([form.members, breaks]).ravel().tolist()
             self._lines.coordIndex.setValues(0, len(indices), indices)
             self._lines.coordIndex.setNum(len(indices))
-        points = (form.nodes * MILLIMETRES).tolist()
+        # As an array: lists of thousands of lists would have Python look for garbage among all that it holds.
+        points = (form.nodes * MILLIMETRES).astype(np.float32)
         self._vertices.vertex.setValues(0, len(points), points)
         self._vertices.vertex.setNum(len(points))
-        colours = _packed(form).tolist()
-        self._vertices.orderedRGBA.setValues(0, len(colours), colours)
-        self._vertices.orderedRGBA.setNum(len(colours))
+        if form.member_forces is not self._forces:
+            self._forces = form.member_forces
+            colours = _packed(form).tolist()
+            self._vertices.orderedRGBA.setValues(0, len(colours), colours)
+            self._vertices.orderedRGBA.setNum(len(colours))
         self.highlight.show(form)
 
     def remove(self):

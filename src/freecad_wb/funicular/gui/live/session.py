@@ -4,6 +4,7 @@ window, and what it has come to is shown at an even pace. The gridshell's own re
 
 import time
 from collections import deque
+from dataclasses import replace
 
 import funicular as fn
 from funicular.features.feature import EXPECTED, reason
@@ -25,7 +26,7 @@ class Session(QtCore.QObject):
 
     shell, net: the objects in the document. form: the funicular.form.Form that is shown, None before the
     first. own_form: that of the gridshell itself, while another one is looked at. moment: the
-    funicular.live.Moment that it goes to. frame_seconds: what the latest frames took of the window's time,
+    funicular.live.Moment that it goes to. frame_seconds: what the latest frames took of the processor,
     that of whoever listens to `moved` included. accuracy: [m], as it was last taken up.
 
     A part that changes a property of the gridshell, its net or its supports calls change(); it may do so as
@@ -44,7 +45,7 @@ class Session(QtCore.QObject):
     def __init__(self, shell, parent=None):
         super().__init__(parent)
         self.shell = shell
-        self.own_form = self.moment = self._other = None
+        self.own_form = self.moment = self._other = self._goal = None
         self.frame_seconds = deque(maxlen=KEPT_FRAMES)
         self.watched, self.accuracy = False, 1e-3
         self._net = self._laid = self._live = self._pace = None
@@ -153,7 +154,7 @@ class Session(QtCore.QObject):
     # Frames
 
     def _frame(self):
-        begun = time.perf_counter()
+        begun = time.thread_time()
         if self._changed:
             self._take_up()
         if self._live is None:
@@ -163,23 +164,23 @@ class Session(QtCore.QObject):
         is_running = self._live.is_running
         self._look()
         arrived = True
-        if self.moment is not None and self.moment.result is not None:
-            target = self.moment.result.nodes
+        if self._goal is not None:
+            target = self._goal.nodes
             if len(target) == len(self._pace.nodes):
-                still = not is_running
-                arrived = self._pace.toward(target, time.monotonic(), still)
-                self.own_form = form_of_moment(self.moment, self._pace.nodes)
+                arrived = self._pace.toward(target, time.monotonic(), not is_running)
+                self.own_form = replace(self._goal, nodes=self._pace.nodes)
                 if self._other is None:
                     self.moved.emit()
         if arrived and not is_running and not self._changed:
             self._timer.stop()
-        self.frame_seconds.append(time.perf_counter() - begun)
+        self.frame_seconds.append(time.thread_time() - begun)
 
     def _look(self):
         moment = self._live.latest
         if moment is None or moment is self.moment:
             return
         self.moment = moment
+        self._goal = form_of_moment(moment) if moment.result is not None else None
         if moment.error:
             self.failed.emit(moment.error)
         else:

@@ -60,7 +60,7 @@ class StatePart(QtWidgets.QWidget):
             return BUSY, words
         if result.status != "converged":
             return WRONG, complaint(result.status, result.message)
-        sentence = sentence_of(moment.scene, result, moment.certificate)
+        sentence = sentence_of(moment.scene, result, moment.certificate, moment.covered)
         if net.Remarks:
             # What came out otherwise than it was asked for.
             sentence += " " + net.Remarks
