@@ -9,7 +9,7 @@ import FreeCAD as App
 import funicular as fn
 
 
-NOT_TO_COMPUTE = 16  # FreeCAD's Prop_NoRecompute
+NOT_TO_COMPUTE = 8  # FreeCAD's Prop_Output: it does not even mark the object as touched
 
 
 @dataclass(frozen=True)
