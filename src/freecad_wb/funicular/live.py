@@ -20,6 +20,7 @@ WATCHED_FRAME = 1.0 / 30.0  # [s] between two looks at a relaxation that is mean
 # Each look at it is this much more steps than the one before: the first steps can be seen one by one, and the
 # many small ones at the end do not make anyone wait.
 WATCHED_GROWTH = 1.03
+MANY = 100  # steps, from which on they are as many as a look has time for
 
 
 @dataclass(frozen=True)
@@ -216,13 +217,10 @@ class _Pace:
 
     def advance(self, solver):
         """Whether the solve ended."""
-        for _ in range(int(self._share)):
-            if solver.advance(0.0):
-                return True
-            if time.monotonic() > self._due:
-                break
+        if self._share > MANY:
+            return solver.advance(WATCHED_FRAME)
         self._share *= WATCHED_GROWTH
-        return False
+        return any(solver.advance(0.0) for _ in range(int(self._share)))
 
     def wait(self):
         time.sleep(max(0.0, self._due - time.monotonic()))

@@ -27,7 +27,8 @@ class Session(QtCore.QObject):
     shell, net: the objects in the document. form: the funicular.form.Form that is shown, None before the
     first. own_form: that of the gridshell itself, while another one is looked at. moment: the
     funicular.live.Moment that it goes to. frame_seconds: what the latest frames took of the processor,
-    that of whoever listens to `moved` included. accuracy: [m], as it was last taken up.
+    that of whoever listens to `moved` included. accuracy: [m], as it was last taken up. problem: why the
+    properties make no scene, else "".
 
     A part that changes a property of the gridshell, its net or its supports calls change(); it may do so as
     often as it likes, for what has changed is taken up once a frame.
@@ -47,7 +48,7 @@ class Session(QtCore.QObject):
         self.shell = shell
         self.own_form = self.moment = self._other = self._goal = None
         self.frame_seconds = deque(maxlen=KEPT_FRAMES)
-        self.watched, self.accuracy = False, 1e-3
+        self.watched, self.accuracy, self.problem = False, 1e-3, ""
         self._net = self._laid = self._live = self._pace = None
         self._changed = False
         self._timer = QtCore.QTimer(self)
@@ -182,9 +183,13 @@ class Session(QtCore.QObject):
         self.moment = moment
         self._goal = form_of_moment(moment) if moment.result is not None else None
         if moment.error:
-            self.failed.emit(moment.error)
-        else:
+            self._fail(moment.error)
+        elif not self.problem:
             self.came.emit()
+
+    def _fail(self, sentence):
+        self.problem = sentence
+        self.failed.emit(sentence)
 
     def _take_up(self):
         """Give the solver what the properties say now."""
@@ -194,8 +199,9 @@ class Session(QtCore.QObject):
             self._lay_net()
             scene, self.accuracy = self.scene_and_accuracy()
         except (*EXPECTED, ReferenceError) as error:
-            self.failed.emit(str(reason(error)))
+            self._fail(str(reason(error)))
             return
+        self.problem = ""
         method = "relaxation" if self.watched else self.shell.Method.lower()
         now = time.monotonic()
         if self._live is None:
