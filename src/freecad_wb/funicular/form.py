@@ -60,6 +60,12 @@ def form_of_moment(moment):
     )
 
 
+def form_as_laid(net):
+    """The Form of a Net that bears nothing yet."""
+    nothing = np.zeros_like(net.nodes)
+    return Form(net.nodes, net.nodes, net.members, net.panels, np.zeros(len(net.members)), nothing)
+
+
 def numbers_of(form):
     """What forms are compared by: a dict of numbers.
 

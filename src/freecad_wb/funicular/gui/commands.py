@@ -123,8 +123,14 @@ class SheetCommand:
             document.abortTransaction()
             show_message(str(error))
             return
-        shell.ViewObject.Proxy.edit(shell.ViewObject, transaction)
-        FreeCADGui.SendMsgToActiveView("ViewFit")
+        proxy = shell.ViewObject.Proxy
+        proxy.edit(shell.ViewObject, transaction)
+        view = FreeCADGui.getDocument(document.Name).ActiveView
+        if len(document.Objects) == len((shell, shell.Net)):
+            # Nobody has chosen a view yet, and from above nothing is seen to rise.
+            view.viewIsometric()
+        view.fitAll()
+        proxy.fit_at_rest()
 
 
 class SupportCommand:

@@ -93,7 +93,7 @@ class GridshellPanel:
         self._document = shell.Document
         # Sentences on inputs that cannot be read, by property.
         self._unreadable, self._says_unreadable = {}, False
-        self._columns, self._scene = [], None
+        self._columns, self._scene, self._is_to_fit = [], None, False
         if transaction is None:
             self._document.openTransaction(translate("Edit gridshell"))
             transaction = active_transaction()
@@ -206,6 +206,9 @@ class GridshellPanel:
         column.addWidget(MotionPart(self.session))
         for name, title, content in (*self._inputs(), *self._parts()):
             column.addWidget(Section(name, title, content, name not in FOLDED_AT_FIRST))
+        width = max(part.label_width() for part in self._columns)
+        for part in self._columns:
+            part.widen_labels(width)
         return form
 
     def _inputs(self):
@@ -312,6 +315,10 @@ class GridshellPanel:
         """Let the net rise."""
         self.session.take_up()
 
+    def fit_at_rest(self):
+        """Once the form has settled for the first time, show all of it."""
+        self._is_to_fit = True
+
     def _failed(self, sentence):
         if not self._unreadable:
             self.state.show_failure(sentence)
@@ -331,6 +338,9 @@ class GridshellPanel:
     def _rested(self):
         """Nothing has come for a while."""
         moment = self.session.moment
+        if self._is_to_fit and moment.ended:
+            self._is_to_fit = False
+            self._view().fitAll()
         # Of the other methods no price is known.
         if moment.ended and self._shell.Method == "Auto" and moment.result.status == "converged":
             self.price.ask(moment.scene, self.session.accuracy, None)

@@ -161,6 +161,11 @@ class ViewProviderGridshell(ViewProvider):
         self._transaction = transaction
         FreeCADGui.getDocument(vobj.Object.Document.Name).setEdit(vobj.Object.Name)
 
+    def fit_at_rest(self):
+        """Let the panel that is open show all of the form once it has settled."""
+        if self._panel is not None:
+            self._panel.fit_at_rest()
+
     def setEdit(self, vobj, mode=0):
         if mode != 0:
             return None

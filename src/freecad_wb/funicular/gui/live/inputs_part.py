@@ -46,8 +46,14 @@ class InputsPart(QtWidgets.QWidget):
         self.show_what_counts()
         session.came.connect(self.follow_expressions)
 
-    def has(self, name):
-        return name in self._set
+    def label_width(self):
+        """Of the widest label [px]."""
+        return max(label.sizeHint().width() for label, *_ in self._rows)
+
+    def widen_labels(self, width):
+        """Give all labels this width, so that the boxes of all sections stand in one column."""
+        for label, *_ in self._rows:
+            label.setMinimumWidth(width)
 
     def set_value(self, name, value):
         """Set a property as if the user had, and show it."""

@@ -10,7 +10,7 @@ import funicular as fn
 from funicular.features.feature import EXPECTED, reason
 from funicular.features.gridshell import scene_of, solver_options
 from funicular.features.net import net_of
-from funicular.form import form_of_moment
+from funicular.form import form_as_laid, form_of_moment
 from funicular.live import LiveSolve
 from funicular.gui.qt import QtCore
 from funicular.pace import Pace
@@ -209,7 +209,10 @@ class Session(QtCore.QObject):
         else:
             self._live.change(scene, self.accuracy, method, self.watched)
         if self._pace is None or len(self._pace.nodes) != len(scene.net.nodes):
-            self._pace = Pace(scene.net.nodes, now)
+            self._pace, self._goal = Pace(scene.net.nodes, now), None
+            # As it was laid, before it bears anything: there is something to see at once.
+            self.own_form = form_as_laid(scene.net)
+            self.moved.emit()
         else:
             self._pace.change(now)
 
