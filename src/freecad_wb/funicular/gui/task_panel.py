@@ -203,12 +203,10 @@ class GridshellPanel:
         column.setContentsMargins(0, 0, 0, 0)
         self.state = StatePart(self.session, self._show_these)
         column.addWidget(self.state)
-        column.addWidget(MotionPart(self.session))
+        self.motion = MotionPart(self.session)
+        column.addWidget(self.motion)
         for name, title, content in (*self._inputs(), *self._parts()):
             column.addWidget(Section(name, title, content, name not in FOLDED_AT_FIRST))
-        width = max(part.label_width() for part in self._columns)
-        for part in self._columns:
-            part.widen_labels(width)
         return form
 
     def _inputs(self):
@@ -354,8 +352,8 @@ class GridshellPanel:
         self.drawing.remove()
         self.price.stop()
         self.effects.stop()
-        self.matching.leave()
-        self.variants.leave()
+        for part in (*self._columns, self.motion, self.matching, self.variants):
+            part.leave()
         FreeCAD.removeDocumentObserver(self)
         document, self._document, self._shell = self._document, None, None
         return document

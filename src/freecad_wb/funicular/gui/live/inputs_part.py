@@ -46,14 +46,10 @@ class InputsPart(QtWidgets.QWidget):
         self.show_what_counts()
         session.came.connect(self.follow_expressions)
 
-    def label_width(self):
-        """Of the widest label [px]."""
-        return max(label.sizeHint().width() for label, *_ in self._rows)
-
-    def widen_labels(self, width):
-        """Give all labels this width, so that the boxes of all sections stand in one column."""
-        for label, *_ in self._rows:
-            label.setMinimumWidth(width)
+    def leave(self):
+        """Hold nothing of the panel: PySide keeps what FreeCAD's own boxes were connected to."""
+        self._session, self._on_edit, self._unreadable, self._set = None, None, {}, {}
+        self._rows, self._driven = [], []
 
     def set_value(self, name, value):
         """Set a property as if the user had, and show it."""
@@ -119,6 +115,8 @@ class InputsPart(QtWidgets.QWidget):
     def _setter(self, obj, name, at_once):
         def set_property(value):
             self._unreadable.pop(name, None)
+            if self._session is None:
+                return
             try:
                 # A property that follows an expression is the expression's to set.
                 if not expression_of(obj, name) and getattr(obj, name) != value:
@@ -145,6 +143,7 @@ class InputsPart(QtWidgets.QWidget):
     def _unread(self, name):
         def keep(sentence):
             self._unreadable[name] = sentence
-            self._on_edit()
+            if self._on_edit is not None:
+                self._on_edit()
 
         return keep

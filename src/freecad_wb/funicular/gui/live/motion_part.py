@@ -43,6 +43,10 @@ class MotionPart(QtWidgets.QWidget):
         session.came.connect(self._show)
         self._show()
 
+    def leave(self):
+        """Hold nothing of the panel: PySide keeps some of what buttons were connected to."""
+        self._session = None
+
     def _button(self, row, name, icon, pressed):
         button = QtWidgets.QToolButton()
         button.setObjectName(name)

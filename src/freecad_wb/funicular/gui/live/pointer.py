@@ -42,6 +42,7 @@ class Pointer(QtCore.QObject):
         """Listen no more."""
         QtWidgets.QApplication.instance().removeEventFilter(self)
         self._takers = []
+        self.deleteLater()
 
     def eventFilter(self, watched, event):
         name = MOUSE.get(event.type())

@@ -151,6 +151,8 @@ class Session(QtCore.QObject):
         self._timer.stop()
         if self._live is not None:
             self._live.stop()
+        # With it go its connections, which hold whoever listens.
+        self.deleteLater()
 
     # Frames
 
