@@ -38,7 +38,7 @@ def areas(nodes, panels):
 def are_convex(nodes, panels):
     """(p,) whether each panel turns the same way at all of its corners, as seen along its mean normal."""
     convex = np.ones(len(panels), dtype=bool)
-    for which, corners in _by_corner_count(nodes, panels):
+    for which, corners in Groups(panels).corners(nodes):
         sides = np.roll(corners, -1, axis=1) - corners
         turns = np.cross(np.roll(sides, 1, axis=1), sides)
         around = np.cross(corners, np.roll(corners, -1, axis=1)).sum(axis=1)

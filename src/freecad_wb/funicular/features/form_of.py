@@ -7,12 +7,20 @@ from ..form import Form
 from .net import panels_of, positions_of
 
 METRES = 1e-3  # of a millimetre
-RESULTS = "NodePositions", "Members", "Panels", "MemberForces", "Reactions", "TensionMembers", "SlackMembers"
+RESULTS = (
+    "NodePositions",
+    "Members",
+    "Panels",
+    "MemberForces",
+    "Reactions",
+    "TensionMembers",
+    "SlackMembers",
+)
 
 
 def form_of(shell, exaggeration=1.0):
     """The funicular.form.Form of a Gridshell's results, before its Placement; None before it has any, or while
-    they are being read or written.
+    they are read or written.
 
     exaggeration: as the Form has it.
     Where the net has changed since, source nodes are those of the result: nothing is known of how far it is
