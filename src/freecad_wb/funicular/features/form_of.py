@@ -19,7 +19,7 @@ RESULTS = (
 
 
 def form_of(shell, exaggeration=1.0):
-    """The funicular.form.Form of a Gridshell's results, before its Placement; None before it has any, or while
+    """The funicular.form.Form of a Gridshell's results, before its Placement; None before it has any, or as
     they are read or written.
 
     exaggeration: as the Form has it.

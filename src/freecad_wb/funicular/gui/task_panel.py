@@ -208,8 +208,9 @@ class GridshellPanel:
         column.addWidget(MotionPart(self.session))
         for name, title, content in (*self._inputs(), *self._parts()):
             column.addWidget(Section(name, title, content, name not in FOLDED_AT_FIRST))
-        width = max(part.label_width() for part in self._columns)
-        for part in self._columns:
+        columns = (*self._columns, self.look)
+        width = max(part.label_width() for part in columns)
+        for part in columns:
             part.widen_labels(width)
         return form
 
@@ -246,7 +247,8 @@ class GridshellPanel:
 
     def _parts(self):
         """(name, title, widget) of each other section."""
-        yield "View", translate("View"), LookPart(self.session)
+        self.look = LookPart(self.session)
+        yield "View", translate("View"), self.look
         self.variants = VariantsPart(self.session, picture_of_view(self._view), self._show_inputs)
         yield "Alternatives", translate("Alternatives"), self.variants
 

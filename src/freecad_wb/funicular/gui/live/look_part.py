@@ -148,10 +148,19 @@ class LookPart(QtWidgets.QWidget):
         factor = self._boxes["Exaggeration"].value()
         self._said.setVisible(factor != 1.0)
         self._said.setText(
-            translate(
-                "The way from the source is drawn {} times as long as it is. Figures are the true ones."
-            ).format(f"{factor:.3g}")
+            translate("The way from the source is drawn {} times as long. Figures are the true ones.").format(
+                f"{factor:.3g}"
+            )
         )
+
+    def label_width(self):
+        """Of the widest label [px]."""
+        return max(self._form.labelForField(row).sizeHint().width() for row in self._rows.values())
+
+    def widen_labels(self, width):
+        """Give all labels this width, as in the sections of inputs."""
+        for row in self._rows.values():
+            self._form.labelForField(row).setMinimumWidth(width)
 
     def _show_row(self, name, shown):
         self._rows[name].setVisible(shown)
