@@ -12,12 +12,12 @@ from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 
 LABELS = {
     "Display": QT_TRANSLATE_NOOP("Funicular", "Display"),
-    "BarWidth": QT_TRANSLATE_NOOP("Funicular", "Width of bars"),
-    "BarHeight": QT_TRANSLATE_NOOP("Funicular", "Height of bars"),
+    "BarWidth": QT_TRANSLATE_NOOP("Funicular", "Bar width"),
+    "BarHeight": QT_TRANSLATE_NOOP("Funicular", "Bar height"),
     "ShowSource": QT_TRANSLATE_NOOP("Funicular", "Source, pale"),
-    "ShowGround": QT_TRANSLATE_NOOP("Funicular", "Ground and shadow"),
-    "SunAzimuth": QT_TRANSLATE_NOOP("Funicular", "Sun from north"),
-    "SunAltitude": QT_TRANSLATE_NOOP("Funicular", "Sun above horizon"),
+    "ShowGround": QT_TRANSLATE_NOOP("Funicular", "Ground, shadow"),
+    "SunAzimuth": QT_TRANSLATE_NOOP("Funicular", "Sun azimuth"),
+    "SunAltitude": QT_TRANSLATE_NOOP("Funicular", "Sun altitude"),
     "Exaggeration": QT_TRANSLATE_NOOP("Funicular", "Exaggeration"),
 }
 
