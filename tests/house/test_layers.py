@@ -10,7 +10,7 @@ NUMERIC += rules.sources(".py", under=rules.PACKAGE / "files")
 MESHES_AND_WIRES = "topology wording mesh_repair mesh_source crossings curves cycles wireframe"
 NUMERIC += [rules.PACKAGE / f"{name}.py" for name in MESHES_AND_WIRES.split()]
 PRICES = "accuracy accuracy_picture cheapest_settings discretisation effect_costs prediction prediction_cache"
-NUMERIC += [rules.PACKAGE / f"{name}.py" for name in ("panels", *PRICES.split())]
+NUMERIC += [rules.PACKAGE / f"{name}.py" for name in ("panels", "form", "bars", "shadows", *PRICES.split())]
 SOLVER = {"equilibrium", "newton", "relaxation", "solve", "solver"}
 
 

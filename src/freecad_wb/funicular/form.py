@@ -2,6 +2,7 @@
 """A gridshell as it stands at one moment: what there is to draw of it and to read from it. Only numpy."""
 
 from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -14,7 +15,8 @@ class Form:
 
     nodes, source_nodes: (n, 3), as it stands and as it was laid. members: (m, 2). panels: tuples of nodes.
     member_forces: (m,). reactions: (n, 3), zero where unsupported. tension_members, slack_members: as the
-    certificate counts them, empty while a solve goes on.
+    certificate counts them, empty while a solve goes on. exaggeration: by which the way of the nodes from the
+    source is drawn larger than it is.
     """
 
     nodes: np.ndarray
@@ -25,6 +27,17 @@ class Form:
     reactions: np.ndarray
     tension_members: np.ndarray = field(default_factory=lambda: NOBODY)
     slack_members: np.ndarray = field(default_factory=lambda: NOBODY)
+    exaggeration: float = 1.0
+
+    @cached_property
+    def drawn_nodes(self):
+        """(n, 3) [m]: where the nodes are drawn, their way from the source `exaggeration` times as long.
+
+        What is drawn over the net, or picked from it, goes by these; what is measured goes by `nodes`.
+        """
+        if self.exaggeration == 1.0:
+            return self.nodes
+        return self.source_nodes + self.exaggeration * (self.nodes - self.source_nodes)
 
     @property
     def member_lengths(self):
@@ -45,13 +58,18 @@ class Form:
         return loads
 
 
+@lru_cache(maxsize=1)
+def _as_laid(net):
+    """(nodes, members) of a net: the same objects each time, which say that nothing has changed."""
+    return net.nodes, net.members
+
+
 def form_of_moment(moment):
     """The Form of a live.Moment, which has a result; a dataclasses.replace() away from those on the way."""
     result, net, certificate = moment.result, moment.scene.net, moment.certificate
     return Form(
         result.nodes,
-        net.nodes,
-        net.members,
+        *_as_laid(net),
         moment.panels,
         result.member_forces,
         result.reactions,

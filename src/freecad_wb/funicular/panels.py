@@ -35,6 +35,19 @@ def areas(nodes, panels):
     return Groups(panels).areas(nodes)
 
 
+def are_convex(nodes, panels):
+    """(p,) whether each panel turns the same way at all of its corners, as seen along its mean normal."""
+    convex = np.ones(len(panels), dtype=bool)
+    for which, corners in Groups(panels).corners(nodes):
+        sides = np.roll(corners, -1, axis=1) - corners
+        turns = np.cross(np.roll(sides, 1, axis=1), sides)
+        around = np.cross(corners, np.roll(corners, -1, axis=1)).sum(axis=1)
+        along = np.einsum("pki,pi->pk", turns, around)
+        # A corner within a straight side turns neither way, but for rounding.
+        convex[which] = (along >= -1e-9 * np.abs(along).max(axis=1, keepdims=True)).all(axis=1)
+    return convex
+
+
 def triangles(nodes, panels):
     """The panels cut into triangles about the mean of their corners, panel by panel.
 

@@ -91,7 +91,9 @@ def counts(obj, name):
 
 def expression_of(obj, name):
     """The expression that property `name` of `obj` follows, "" without one."""
-    return next((text for path, text in obj.ExpressionEngine if path.lstrip(".") == name), "")
+    # View providers have none.
+    engine = getattr(obj, "ExpressionEngine", ())
+    return next((text for path, text in engine if path.lstrip(".") == name), "")
 
 
 def make_input(obj, name, on_change, on_error):
@@ -211,7 +213,8 @@ def _quantity(obj, name, on_change, on_error):
     widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
     quantity = getattr(obj, name)
     widget.setProperty("unit", quantity.getUserPreferred()[2])
-    FreeCADGui.ExpressionBinding(widget).bind(obj, name)
+    if hasattr(obj, "ExpressionEngine"):
+        FreeCADGui.ExpressionBinding(widget).bind(obj, name)
 
     def changed(value):
         on_change(FreeCAD.Units.Quantity(value, quantity.Unit))

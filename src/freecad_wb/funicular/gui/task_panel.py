@@ -14,6 +14,7 @@ from funicular.gui.effect_list import EffectList
 from funicular.gui.icons import icon
 from funicular.gui.inputs import SECTIONS
 from funicular.gui.live.inputs_part import InputsPart
+from funicular.gui.live.look_part import LookPart
 from funicular.gui.live.matching_part import MatchingPart
 from funicular.gui.live.motion_part import MotionPart
 from funicular.gui.live.pointer import Pointer
@@ -111,6 +112,7 @@ class GridshellPanel:
         self.form = self._build()
         self.drawing = NetDrawing(shell.ViewObject)
         self.session.moved.connect(lambda: self.drawing.show(self.session.form))
+        self.session.rested.connect(self.drawing.rest)
         self.session.came.connect(self._came)
         self.session.failed.connect(self._failed)
         self._in_dialog = True
@@ -242,6 +244,8 @@ class GridshellPanel:
 
     def _parts(self):
         """(name, title, widget) of each other section."""
+        self.look = LookPart(self.session)
+        yield "View", translate("View"), self.look
         self.variants = VariantsPart(self.session, picture_of_view(self._view), self._show_inputs)
         yield "Alternatives", translate("Alternatives"), self.variants
 
@@ -304,8 +308,7 @@ class GridshellPanel:
     def _show_these(self, nodes, members):
         """Let nodes and members stand out in the 3D view, until others are shown."""
         self.drawing.highlight.choose(nodes, members)
-        if self.session.form is not None:
-            self.drawing.show(self.session.form)
+        self.session.show_again()
 
     # What follows
 

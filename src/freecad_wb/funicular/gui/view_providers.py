@@ -5,6 +5,11 @@ import FreeCAD
 import FreeCADGui
 
 from funicular.gui import legend, solving
+from funicular.features.form_of import form_of
+from funicular.gui.drawing.look import NAMES as LOOK
+from funicular.gui.drawing.look import add_look, exaggeration_of, look_of
+from funicular.gui.drawing.net_drawing import NetDrawing, packed
+from funicular.gui.drawing.surfaces import TIMBER
 from funicular.gui.icons import icon
 from funicular.gui.picking import clicked_object
 from funicular.gui.qt import QT_TRANSLATE_NOOP
@@ -13,8 +18,7 @@ from funicular.gui.qt import QT_TRANSLATE_NOOP
 COLOURING_RESULTS = ("Shape", "MemberForces", "TensionMembers")
 LINE_WIDTH = 3.0
 
-# A covering of light timber, through which the members are seen.
-TIMBER = (0.87, 0.77, 0.60)
+# Through a covering the members are seen.
 TRANSPARENCY = 30
 
 
@@ -98,6 +102,8 @@ class ViewProviderGridshell(ViewProvider):
     # While the panel is open, and on the way to it.
     _panel = None
     _transaction = None
+    # What is drawn of the results beside the shape, None where nothing is asked for.
+    _drawing = None
 
     def __init__(self, vobj):
         super().__init__(vobj)
@@ -112,6 +118,7 @@ class ViewProviderGridshell(ViewProvider):
             if name not in vobj.PropertiesList:
                 vobj.addProperty("App::PropertyBool", name, group, documentation)
                 setattr(vobj, name, True)
+        add_look(vobj, group)
 
     def claimChildren(self):
         obj = self.vobj.Object
@@ -120,10 +127,15 @@ class ViewProviderGridshell(ViewProvider):
     def updateData(self, obj, prop):
         if prop in COLOURING_RESULTS or prop == "Label":
             self.refresh(obj.ViewObject)
+        # The summary is written last.
+        if prop in ("Summary", "Placement"):
+            self.draw(obj.ViewObject)
 
     def onChanged(self, vobj, prop):
         if prop in ("ColourByForce", "ShowLegend", "Visibility"):
             self.refresh(vobj)
+        if prop in LOOK or prop in ("ColourByForce", "LineWidth", "LineColor", "Visibility"):
+            self.draw(vobj)
 
     def refresh(self, vobj):
         obj = vobj.Object
@@ -140,6 +152,28 @@ class ViewProviderGridshell(ViewProvider):
             legend.show(obj)
         else:
             legend.hide(obj)
+
+    def draw(self, vobj):
+        """Draw what the view properties ask for beyond the shape; in the panel its session does."""
+        if self._panel is not None:
+            self._panel.session.show_again()
+            return
+        form = None
+        if vobj.Visibility and not look_of(vobj).is_plain:
+            form = form_of(vobj.Object, exaggeration_of(vobj))
+        if form is None:
+            self.draw_nothing()
+            return
+        if self._drawing is None:
+            self._drawing = NetDrawing(vobj, instead=False)
+        self._drawing.show(form, packed(vobj.LineColorArray, len(form.members)))
+        self._drawing.rest(at_once=True)
+
+    def draw_nothing(self):
+        """Leave the gridshell to its shape, or to the panel."""
+        drawing, self._drawing = self._drawing, None
+        if drawing is not None:
+            drawing.remove()
 
     def onDelete(self, vobj, subelements):
         legend.hide(vobj.Object)
@@ -172,7 +206,10 @@ class ViewProviderGridshell(ViewProvider):
         from funicular.gui import task_panel
 
         transaction, self._transaction = self._transaction, None
+        self.draw_nothing()
         self._panel = task_panel.edit(vobj.Object, transaction)
+        if self._panel is None:
+            self.draw(vobj)
         return self._panel is not None
 
     def unsetEdit(self, vobj, mode=0):
@@ -181,6 +218,10 @@ class ViewProviderGridshell(ViewProvider):
         panel, self._panel = self._panel, None
         # OK and Cancel have finished the panel by now; Esc in the 3D view has not.
         panel.dismiss()
+        try:
+            self.draw(vobj)
+        except ReferenceError:
+            pass  # the gridshell was made for this panel and went with it, or the whole document did
         return True
 
 
@@ -246,6 +287,7 @@ def _refresh_gridshells(document):
         if getattr(obj, "FunicularType", "") == "Gridshell":
             attach_view_provider(obj)
             obj.ViewObject.Proxy.refresh(obj.ViewObject)
+            obj.ViewObject.Proxy.draw(obj.ViewObject)
 
 
 FreeCAD.addDocumentObserver(DocumentObserver())

@@ -36,11 +36,13 @@ class Highlight:
             self._members = ()
         if len(self._nodes) and self._nodes.max() >= len(form.nodes):
             self._nodes = ()
-        ends = form.nodes[form.members[list(self._members)]].reshape(-1, 3) if len(self._members) else ()
+        ends = (
+            form.drawn_nodes[form.members[list(self._members)]].reshape(-1, 3) if len(self._members) else ()
+        )
         _set(self._line_points, ends)
         self._lines.numVertices.setValues(0, len(self._members), [2] * len(self._members))
         self._lines.numVertices.setNum(len(self._members))
-        dots = form.nodes[list(self._nodes)] if len(self._nodes) else ()
+        dots = form.drawn_nodes[list(self._nodes)] if len(self._nodes) else ()
         _set(self._points, dots)
         self._dots.numPoints = len(self._nodes)
 

@@ -1,74 +1,188 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A form as coin draws it: in place of a gridshell's own shape while it moves, and gone without a trace."""
+"""A form as coin draws it: in place of a gridshell's own shape or around it, and gone without a trace."""
 
+import FreeCAD
 import numpy as np
 from pivy import coin
 
 from funicular.colours import ON_SCREEN
+from funicular.gui.drawing.ground import Ground
 from funicular.gui.drawing.highlight import Highlight
+from funicular.gui.drawing.look import look_of
+from funicular.gui.drawing.members import Members
+from funicular.gui.drawing.shapes import set_points
+from funicular.gui.drawing.surfaces import Covering, Source
+from funicular.gui.drawing.words import Words
+from funicular.gui.qt import QtCore, translate
+from funicular.shadows import toward_sun
 
-MILLIMETRES = 1e3  # of a metre
-LINE_WIDTH = 3.0
 NAME = "Funicular_drawing"
+SUNLIGHT, SHADE = 0.32, 0.30
 
 
 class NetDrawing:
-    """The members of a form as lines, coloured, below the view provider of a gridshell.
+    """A form, below the view provider of a gridshell, as its view properties say.
 
     What stands below it takes the gridshell's placement, is seen in each view of the document, and is counted
-    by "fit all". The gridshell's own shape is hidden meanwhile by the node that shows it, not by a property,
-    for that would change the document.
+    by "fit all". There are coin nodes for what is asked for alone. The properties are read with each form.
+
+    Parameters
+    ----------
+    vobj : view provider of a gridshell
+    instead : bool
+        The gridshell's own shape is out of date: nothing of it is to be seen or picked. It is hidden by the
+        node that shows it, not by a property, for that would change the document. Otherwise the shape stays
+        for picking, and draws plain lines.
     """
 
-    def __init__(self, vobj):
-        self._vobj = vobj
+    def __init__(self, vobj, instead=True):
+        self._vobj, self._instead = vobj, instead
         self._root = coin.SoSeparator()
         self._root.setName(NAME)
         unpickable = coin.SoPickStyle()
         unpickable.style = coin.SoPickStyle.UNPICKABLE
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
-        style = coin.SoDrawStyle()
-        style.lineWidth = LINE_WIDTH
-        self._vertices = coin.SoVertexProperty()
-        self._vertices.materialBinding = coin.SoVertexProperty.PER_FACE
-        self._lines = coin.SoIndexedLineSet()
-        self._lines.vertexProperty = self._vertices
-        for node in (unpickable, light, style, self._lines):
-            self._root.addChild(node)
-        self._members = self._forces = None
-        self.highlight = Highlight(self._root)
-        vobj.RootNode.addChild(self._root)
-        self._was_shown = vobj.SwitchNode.whichChild.getValue()
-        vobj.SwitchNode.whichChild = coin.SO_SWITCH_NONE
+        self._root.addChild(unpickable)
+        # From the sun, beside the light that FreeCAD has at the eye: what that one only grazes is not black.
+        self._light = coin.SoDirectionalLight()
+        self._light.intensity = SUNLIGHT
+        shade = coin.SoEnvironment()
+        shade.ambientIntensity = SHADE
+        self._root.addChild(self._light)
+        self._root.addChild(shade)
+        self._points = coin.SoCoordinate3()
+        # What there is now of what can be drawn, by its kind.
+        self._parts = {}
+        self._form = self._look = self._sun = self._filling = self._hiding = self._coloured_by = None
+        self._turns = QtCore.QTimer()
+        self._turns.setInterval(0)
+        self._turns.timeout.connect(self._fill)
+        self.highlight = Highlight(self._root) if instead else None
+        # Before the shape: what hides that would hide all that follows.
+        vobj.RootNode.insertChild(self._root, vobj.RootNode.findChild(vobj.SwitchNode))
+        if instead:
+            self._was_shown = vobj.SwitchNode.whichChild.getValue()
+            vobj.SwitchNode.whichChild = coin.SO_SWITCH_NONE
 
-    def show(self, form):
-        """Draw a Form in place of the one before."""
-        if form.members is not self._members:
-            # The numbers of another net.
-            self._members = form.members
-            breaks = np.full(len(form.members), -1)
-            indices = np.column_stack([form.members, breaks]).ravel().tolist()
-            self._lines.coordIndex.setValues(0, len(indices), indices)
-            self._lines.coordIndex.setNum(len(indices))
-        # As an array: lists of thousands of lists would have Python look for garbage among all that it holds.
-        points = (form.nodes * MILLIMETRES).astype(np.float32)
-        self._vertices.vertex.setValues(0, len(points), points)
-        self._vertices.vertex.setNum(len(points))
-        if form.member_forces is not self._forces:
-            self._forces = form.member_forces
-            colours = _packed(form).tolist()
-            self._vertices.orderedRGBA.setValues(0, len(colours), colours)
-            self._vertices.orderedRGBA.setNum(len(colours))
-        self.highlight.show(form)
+    @property
+    def drawn_nodes(self):
+        """(n, 3) [m]: where the nodes are drawn, None before the first form."""
+        return None if self._form is None else self._form.drawn_nodes
+
+    def show(self, form, colours=None):
+        """Draw a Form in place of the one before; of many bars lines stand in for new ones until rest().
+
+        colours: (m,) of the members, packed as 0xRRGGBBAA; by their forces without it.
+        """
+        self._stop_filling()
+        self._form, self._look = form, look_of(self._vobj).fit_for(form)
+        look = self._look
+        left_to_shape = not self._instead and look.is_left_to_shape
+        set_points(self._points, form.drawn_nodes)
+        if self._asked(Members, look.members and not left_to_shape, self._points):
+            self._parts[Members].show(form, self._vobj.LineWidth, look)
+            self._colour(form, colours)
+        if self._asked(Covering, look.covering, self._points):
+            self._parts[Covering].show(form)
+        if self._asked(Source, look.source):
+            self._parts[Source].show(form)
+        # What stands below the view provider turns with the gridshell; the sun does not.
+        turned = self._vobj.Object.getGlobalPlacement().Rotation.inverted()
+        sun = turned.multVec(FreeCAD.Vector(*toward_sun(look.azimuth, look.altitude)))
+        self._sun = np.array(sun)
+        self._light.direction = (-self._sun).tolist()
+        if self._asked(Ground, look.ground):
+            self._show_ground()
+        if self._asked(Words, form.exaggeration != 1.0):
+            text = translate("Displacement × {}").format(f"{form.exaggeration:.3g}")
+            self._parts[Words].show(form.drawn_nodes, text)
+        if not self._instead:
+            self._hide_shape(not left_to_shape, form.exaggeration != 1.0)
+        if self.highlight:
+            self.highlight.show(form)
+
+    def rest(self, at_once=False):
+        """The form stays as it is for now: fill in what was left out, bit by bit unless at once."""
+        members = self._parts.get(Members)
+        if self._filling or members is None or not members.is_to_fill(self._form, self._look):
+            return
+        self._filling = members.fill(self._form, self._look)
+        if at_once:
+            while self._filling:
+                self._fill()
+        else:
+            self._turns.start()
 
     def remove(self):
         """Take it out of the view, where the gridshell's own shape stands again."""
+        self._stop_filling()
         try:
             self._vobj.RootNode.removeChild(self._root)
-            self._vobj.SwitchNode.whichChild = self._was_shown
+            self._hide_shape(False, False)
+            if self._instead:
+                self._vobj.SwitchNode.whichChild = self._was_shown
         except (ReferenceError, RuntimeError):
             pass  # the gridshell is gone, and what was below it
+
+    def _asked(self, kind, is_asked, *points):
+        """Have a part or have none; returns whether there is one."""
+        if is_asked and kind not in self._parts:
+            self._parts[kind] = kind(*points)
+            self._root.addChild(self._parts[kind].node)
+            self._coloured_by = None
+        elif not is_asked and kind in self._parts:
+            self._root.removeChild(self._parts.pop(kind).node)
+        return bool(is_asked)
+
+    def _colour(self, form, colours):
+        if colours is None and form.member_forces is not self._coloured_by:
+            colours = _packed(form)
+        if colours is not None:
+            self._parts[Members].colour(colours)
+        self._coloured_by = form.member_forces
+
+    def _show_ground(self):
+        throwing = [self._parts[kind].group for kind in (Members, Covering) if kind in self._parts]
+        self._parts[Ground].show(self._form, throwing, self._sun)
+
+    def _fill(self):
+        try:
+            next(self._filling)
+        except StopIteration:
+            self._stop_filling()
+            if Ground in self._parts:
+                self._show_ground()
+
+    def _stop_filling(self):
+        self._turns.stop()
+        self._filling = None
+
+    def _hide_shape(self, is_hidden, is_elsewhere):
+        """Let the gridshell's own shape not be drawn and, where it is elsewhere than drawn, not be picked."""
+        root = self._vobj.RootNode
+        if self._hiding:
+            root.removeChild(self._hiding)
+            self._hiding = None
+        if not is_hidden:
+            return
+        self._hiding = coin.SoGroup()
+        style = coin.SoDrawStyle()
+        style.style = coin.SoDrawStyle.INVISIBLE
+        style.setOverride(True)
+        self._hiding.addChild(style)
+        if is_elsewhere:
+            unpickable = coin.SoPickStyle()
+            unpickable.style = coin.SoPickStyle.UNPICKABLE
+            unpickable.setOverride(True)
+            self._hiding.addChild(unpickable)
+        root.insertChild(self._hiding, root.findChild(self._vobj.SwitchNode))
+
+
+def packed(colours, count):
+    """(count,) colours 0xRRGGBBAA of colours (r, g, b, …) between 0 and 1, of which one may stand for all."""
+    rgb = np.array([colour[:3] for colour in colours]).reshape(-1, 3)
+    if len(rgb) != count:
+        rgb = np.broadcast_to(rgb[:1], (count, 3))
+    return _packed_rgb(rgb)
 
 
 def _packed(form):
@@ -78,5 +192,9 @@ def _packed(form):
     place = np.clip(-form.member_forces / largest, 0.0, 1.0) * (len(ramp) - 1)
     low = np.minimum(place.astype(int), len(ramp) - 2)
     rgb = ramp[low] + (place - low)[:, None] * (ramp[low + 1] - ramp[low])
+    return _packed_rgb(rgb)
+
+
+def _packed_rgb(rgb):
     red, green, blue = np.rint(255 * rgb).astype(np.uint32).T
     return red << 24 | green << 16 | blue << 8 | 255

@@ -12,6 +12,7 @@ from funicular.features.gridshell import scene_of, solver_options
 from funicular.features.net import net_of
 from funicular.form import form_as_laid, form_of_moment
 from funicular.live import LiveSolve
+from funicular.gui.drawing.look import exaggeration_of
 from funicular.gui.qt import QtCore
 from funicular.pace import Pace
 
@@ -37,6 +38,9 @@ class Session(QtCore.QObject):
     moved = QtCore.Signal()
     """Another form is shown: to be drawn, so this should take milliseconds."""
 
+    rested = QtCore.Signal()
+    """The form that was shown last stays, until something is changed: what takes longer can be drawn now."""
+
     came = QtCore.Signal()
     """There is another moment: numbers and sentences have changed; once more when it has ended."""
 
@@ -50,14 +54,21 @@ class Session(QtCore.QObject):
         self.frame_seconds = deque(maxlen=KEPT_FRAMES)
         self.watched, self.accuracy, self.problem = False, 1e-3, ""
         self._net = self._laid = self._live = self._pace = None
-        self._changed = False
+        self._exaggeration, self._exaggerated = 1.0, None
+        self._changed = self._stopped = False
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(FRAME_MS)
         self._timer.timeout.connect(self._frame)
 
     @property
     def form(self):
-        return self._other if self._other is not None else self.own_form
+        form = self._other if self._other is not None else self.own_form
+        if form is None or form.exaggeration == self._exaggeration:
+            return form
+        before, exaggerated = self._exaggerated or (None, None)
+        if before is not form or exaggerated.exaggeration != self._exaggeration:
+            self._exaggerated = form, replace(form, exaggeration=self._exaggeration)
+        return self._exaggerated[1]
 
     @property
     def net(self):
@@ -97,8 +108,17 @@ class Session(QtCore.QObject):
         """Show another Form of the same net in place of the gridshell's own; None shows that again."""
         if form is not self._other:
             self._other = form
-            if self.form is not None:
-                self.moved.emit()
+            self.show_again()
+
+    def show_again(self):
+        """What is shown, or how it is to be seen, is another: draw it, and solve nothing."""
+        if self._stopped:
+            return
+        self._exaggeration = exaggeration_of(self.shell.ViewObject)
+        if self.form is not None:
+            self.moved.emit()
+            if not self._timer.isActive():
+                self.rested.emit()
 
     def solve_scene(self, scene):
         """Go on with a scene that is more than what the properties say, until one of them changes."""
@@ -148,6 +168,7 @@ class Session(QtCore.QObject):
 
     def stop(self):
         """Nothing more is wanted; the document may be about to go."""
+        self._stopped = True
         self._timer.stop()
         if self._live is not None:
             self._live.stop()
@@ -172,10 +193,12 @@ class Session(QtCore.QObject):
             if len(target) == len(self._pace.nodes):
                 arrived = self._pace.toward(target, time.monotonic(), not is_running)
                 self.own_form = replace(self._goal, nodes=self._pace.nodes)
+                self._exaggeration = exaggeration_of(self.shell.ViewObject)
                 if self._other is None:
                     self.moved.emit()
         if arrived and not is_running and not self._changed:
             self._timer.stop()
+            self.rested.emit()
         self.frame_seconds.append(time.thread_time() - begun)
 
     def _look(self):

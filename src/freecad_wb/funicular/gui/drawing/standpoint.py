@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where one stands to look at a net: above it, before it, beside it, or at a corner; and near enough."""
+
+import numpy as np
+from pivy import coin
+
+from funicular.gui.qt import QT_TRANSLATE_NOOP
+
+MARGIN = 1.08  # of what is to be seen
+
+_UPRIGHT = np.array([0.0, 0.0, 1.0])
+# Directions in which one looks, what is then up in the view, its name, and FreeCAD's picture of it.
+STANDPOINTS = {
+    "Plan": ((0.0, 0.0, -1.0), (0.0, 1.0, 0.0), QT_TRANSLATE_NOOP("Funicular", "Plan"), "view-top"),
+    "Front": ((0.0, 1.0, 0.0), _UPRIGHT, QT_TRANSLATE_NOOP("Funicular", "Front"), "view-front"),
+    "Side": ((-1.0, 0.0, 0.0), _UPRIGHT, QT_TRANSLATE_NOOP("Funicular", "Side"), "view-right"),
+    "Axonometric": (
+        (-1.0, 1.0, -1.0),
+        _UPRIGHT,
+        QT_TRANSLATE_NOOP("Funicular", "Axonometric"),
+        "view-isometric",
+    ),
+}
+
+
+def look_from(view, name, points):
+    """Turn a 3D view of FreeCAD's at once, and let it hold the points (n, 3) [mm, of the document]."""
+    if hasattr(view, "stopAnimating"):
+        # A turn that is under way would go on from here.
+        view.stopAnimating()
+    forward, upwards = STANDPOINTS[name][:2]
+    forward = np.array(forward) / np.linalg.norm(forward)
+    right = np.cross(forward, upwards)
+    right /= np.linalg.norm(right)
+    up = np.cross(right, forward)
+    width, height = view.getSize()
+    aspect = width / height
+    camera = view.getCameraNode()
+    rotation = coin.SbMatrix(*(value for row in (right, up, -forward) for value in (*row, 0.0)), 0, 0, 0, 1)
+    camera.orientation = coin.SbRotation(rotation)
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle, size = 0.5 * (low + high), max(np.linalg.norm(high - low), 1e-3)
+    across, upward, along = ((points - middle) @ axis for axis in (right, up, forward))
+    middle = middle + right * _mean_of_ends(across) + up * _mean_of_ends(upward)
+    across, upward = across - _mean_of_ends(across), upward - _mean_of_ends(upward)
+    if camera.isOfType(coin.SoOrthographicCamera.getClassTypeId()):
+        tall = 2.0 * max(np.abs(upward).max(), np.abs(across).max() / aspect)
+        camera.height = MARGIN * max(tall, 1e-3 * size)
+        distance = size
+    else:
+        # Each point so far away that it stays within the angle of the view.
+        half = np.tan(0.5 * camera.heightAngle.getValue())
+        away = MARGIN * np.maximum(np.abs(upward), np.abs(across) / aspect) / half - along
+        distance = max(away.max(), 1e-3 * size)
+    camera.position = (middle - distance * forward).tolist()
+    camera.focalDistance = distance
+
+
+def _mean_of_ends(values):
+    return 0.5 * (values.min() + values.max())
