@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What holds a form, as marks in the 3D view: one for each kind, of one size at any zoom, with its direction."""
+
+import numpy as np
+from pivy import coin
+
+from funicular.gui.drawing.mark_shapes import COLOURS, DOT, FREE, LINE, PLANE, POINT, RING, YIELDS, marker
+from funicular.held import square_in
+
+MILLIMETRES = 1e3  # of a metre
+NAME = "Funicular_support_marks"
+LINE_WIDTH = 3.0
+# Of a member's length: half a line, and from the middle of a square to its corner.
+ALONG, ACROSS = 0.6, 0.4
+
+KINDS = (PLANE, LINE, POINT, YIELDS, FREE)
+
+
+class SupportMarks:
+    """Coin nodes below the view provider of a gridshell, in front of all that is drawn there."""
+
+    def __init__(self, vobj):
+        self._vobj = vobj
+        self._root = coin.SoSeparator()
+        self._root.setName(NAME)
+        self._marks = {kind: _Marks(kind) for kind in (RING, *KINDS, DOT)}
+        unpickable = coin.SoPickStyle()
+        unpickable.style = coin.SoPickStyle.UNPICKABLE
+        light = coin.SoLightModel()
+        light.model = coin.SoLightModel.BASE_COLOR
+        depth = coin.SoDepthBuffer()
+        depth.test = False
+        style = coin.SoDrawStyle()
+        style.lineWidth = LINE_WIDTH
+        for node in (unpickable, light, depth, style, *(each.root for each in self._marks.values())):
+            self._root.addChild(node)
+        vobj.RootNode.addChild(self._root)
+
+    def hold(self, held, free):
+        """Mark other nodes, from the next form on. held: as funicular.held.held_of(). free: (k,) nodes."""
+        yielding = [held[kind].nodes[held[kind].yields] for kind in (POINT, LINE, PLANE)]
+        for kind in (POINT, LINE, PLANE):
+            part = held[kind]
+            self._marks[kind].place(part.nodes[~part.yields], *_directions(kind, part, ~part.yields))
+        directions = [_directions(kind, held[kind], held[kind].yields) for kind in (LINE, PLANE)]
+        self._marks[YIELDS].place(np.concatenate(yielding), *_joined(directions))
+        self._marks[FREE].place(free)
+
+    def choose(self, nodes):
+        """Put rings around nodes, from the next form on."""
+        self._marks[RING].place(nodes)
+
+    def pick(self, nodes):
+        """Put dots on nodes, from the next form on."""
+        self._marks[DOT].place(nodes)
+
+    def show(self, form):
+        """Draw everything where it is in a Form."""
+        ends = form.nodes[form.members[:, 1]] - form.nodes[form.members[:, 0]]
+        size = float(np.median(np.linalg.norm(ends, axis=1))) if len(ends) else 0.0
+        for each in self._marks.values():
+            each.show(form, size)
+
+    def count(self, kind):
+        """How many nodes have a mark of a kind."""
+        return len(self._marks[kind].nodes)
+
+    def remove(self):
+        """Take all of it out of the view."""
+        try:
+            self._vobj.RootNode.removeChild(self._root)
+        except (ReferenceError, RuntimeError):
+            pass  # the gridshell is gone, and what was below it
+
+
+def _directions(kind, held, chosen):
+    """(nodes (k,), polylines (k, j, 3) around each in members' lengths) that say along what nodes may slide."""
+    nodes, directions = held.nodes[chosen], held.directions[chosen]
+    if kind == LINE:
+        return [(nodes, ALONG * np.stack([-directions, directions], axis=1))]
+    if kind == PLANE:
+        square = square_in(directions)
+        return [(nodes, ACROSS * np.concatenate([square, square[:, :1]], axis=1))]
+    return []
+
+
+def _joined(parts):
+    return [each for part in parts for each in part]
+
+
+class _Marks:
+    """The nodes of one kind: their marks, with a halo, and the lines that tell a direction."""
+
+    def __init__(self, kind):
+        self.nodes, self._polylines = np.zeros(0, dtype=int), ()
+        self.root = coin.SoSeparator()
+        colour, white = coin.SoBaseColor(), coin.SoBaseColor()
+        colour.rgb = _rgb(COLOURS[kind])
+        white.rgb = (1.0, 1.0, 1.0)
+        self._line_points, self._points = coin.SoCoordinate3(), coin.SoCoordinate3()
+        self._lines, self._halos, self._marks = coin.SoLineSet(), coin.SoMarkerSet(), coin.SoMarkerSet()
+        self._halo, self._mark = marker(kind, with_halo=True), marker(kind)
+        _set(self._lines.numVertices, [])
+        for each in (colour, self._line_points, self._lines, self._points):
+            self.root.addChild(each)
+        for each in (white, self._halos, colour, self._marks):
+            self.root.addChild(each)
+        _set(self._points.point, [])
+        self._number(0)
+
+    def place(self, nodes, *polylines):
+        self.nodes, self._polylines = np.asarray(nodes, dtype=int), polylines
+
+    def show(self, form, size):
+        nodes = self.nodes
+        if len(nodes) and nodes.max() >= len(form.nodes):
+            # Of another net, until it is said which of this one are held.
+            nodes, self._polylines = nodes[:0], ()
+        points, counts = [], []
+        for of_these, around in self._polylines:
+            points.append((form.nodes[of_these][:, None, :] + size * around).reshape(-1, 3))
+            counts += [around.shape[1]] * len(of_these)
+        _set(self._line_points.point, _millimetres(np.concatenate(points)) if points else [])
+        _set(self._lines.numVertices, counts)
+        _set(self._points.point, _millimetres(form.nodes[nodes]))
+        self._number(len(nodes))
+
+    def _number(self, count):
+        for marks, index in ((self._halos, self._halo), (self._marks, self._mark)):
+            marks.numPoints = count
+            if marks.markerIndex.getNum() != max(count, 1):
+                # One for each: coin reads as many.
+                marks.markerIndex.setValues(0, max(count, 1), [index] * max(count, 1))
+                marks.markerIndex.setNum(max(count, 1))
+
+
+def _millimetres(points):
+    return (points * MILLIMETRES).tolist()
+
+
+def _set(field, values):
+    field.setValues(0, len(values), values)
+    field.setNum(len(values))
+
+
+def _rgb(text):
+    return tuple(int(text[at : at + 2], 16) / 255.0 for at in (1, 3, 5))
