@@ -14,7 +14,7 @@ POINT, LINE, PLANE = "point", "line", "plane"
 class Held:
     """Nodes that are held in one way.
 
-    nodes: (k,). directions: (k, 3) of the lines, or normals of the planes; zero for points. yields: (k,) bool.
+    nodes: (k,). directions: (k, 3) of lines, or normals of planes; zero for points. yields: (k,) bool.
     """
 
     nodes: np.ndarray

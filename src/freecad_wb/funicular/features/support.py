@@ -314,8 +314,9 @@ def supports_of_gridshell(obj, net):
 def held_by_each(obj, net):
     """[(Support, (k,) its nodes, the fn supports on them)]: what each holds in the end, of a Gridshell.
 
-    The first is its recipe, with None for the Support, on the nodes of which no Support speaks. What a Support
-    has lost to others is not among its nodes. Raises InvalidInput naming SupportRecipe or the Support.
+    The first is its recipe, with None for the Support, on the nodes of which no Support speaks. What a
+    Support has lost to others is not among its nodes. Raises InvalidInput naming SupportRecipe or the
+    Support.
     """
     if obj.SupportRecipe == "None" and not obj.Supports:
         raise fn.InvalidInput(

@@ -20,6 +20,7 @@ from funicular.gui.live.pointer import Pointer
 from funicular.gui.live.section import Section
 from funicular.gui.live.session import Session
 from funicular.gui.live.state_part import StatePart
+from funicular.gui.live.supports_part import SupportsPart
 from funicular.gui.live.variants_part import VariantsPart, picture_of_view
 from funicular.gui.picking import (
     WrongSelection,
@@ -244,6 +245,8 @@ class GridshellPanel:
 
     def _parts(self):
         """(name, title, widget) of each other section."""
+        self.supports = SupportsPart(self.session, self.pointer)
+        yield "Supports", translate("Supports"), self.supports
         self.variants = VariantsPart(self.session, picture_of_view(self._view), self._show_inputs)
         yield "Alternatives", translate("Alternatives"), self.variants
 
@@ -313,6 +316,7 @@ class GridshellPanel:
 
     def begin(self):
         """Let the net rise."""
+        self.supports.begin(self.form)
         self.session.take_up()
 
     def fit_at_rest(self):
@@ -350,6 +354,7 @@ class GridshellPanel:
         self._pause.stop()
         self._quiet.stop()
         self.session.stop()
+        self.supports.leave()
         self.pointer.stop()
         self.drawing.remove()
         self.price.stop()

@@ -6,7 +6,9 @@ from pivy import coin
 
 from funicular.gui.qt import QtCore, QtGui, QtWidgets
 
-POINT, LINE, PLANE, YIELDS, FREE, RING, DOT = "point", "line", "plane", "yields", "free", "ring", "dot"
+POINT, LINE, PLANE, YIELDS, FREE = "point", "line", "plane", "yields", "free"
+# Around what is chosen, around what the mouse is on, and on what is picked.
+RING, HOVER, DOT = "ring", "hover", "dot"
 
 # Colours of Okabe and Ito, which everyone tells apart; that of what is picked is no force's and no support's.
 COLOURS = {
@@ -16,19 +18,26 @@ COLOURS = {
     YIELDS: "#b07800",
     FREE: "#555555",
     RING: "#e81f99",
+    HOVER: "#111111",
     DOT: "#e81f99",
 }
 SIZE = 21  # [points] of a mark, around its node
 HALO = 2.0  # [points] of white around it
 
+SMALL = 0.55  # of that size, where marks stand close
+
+# Below their node: in the middle of a picture, higher.
+STANDING, HALF_HEIGHT = (POINT, YIELDS), 4.5
+
 _markers = {}
 
 
-def marker(shape, with_halo=False):
+def marker(shape, with_halo=False, is_small=False):
     """Number of a mark among coin's markers."""
-    if (shape, with_halo) not in _markers:
-        _markers[shape, with_halo] = _new_marker(shape, with_halo)
-    return _markers[shape, with_halo]
+    key = shape, with_halo, is_small
+    if key not in _markers:
+        _markers[key] = _new_marker(*key)
+    return _markers[key]
 
 
 def mark_icon(shape):
@@ -36,32 +45,38 @@ def mark_icon(shape):
     pixels = 4 * SIZE
     pixmap = QtGui.QPixmap(pixels, pixels)
     pixmap.fill(QtCore.Qt.transparent)
-    _paint(pixmap, shape, 4.0, QtGui.QColor(COLOURS[shape]), 0.0)
+    up = HALF_HEIGHT if shape in STANDING else 0.0
+    _paint(pixmap, shape, 4.0, QtGui.QColor(COLOURS[shape]), 0.0, up)
     return QtGui.QIcon(pixmap)
 
 
-def _new_marker(shape, with_halo):
-    ratio = QtWidgets.QApplication.instance().devicePixelRatio()
+def _new_marker(shape, with_halo, is_small):
+    ratio = QtWidgets.QApplication.instance().devicePixelRatio() * (SMALL if is_small else 1.0)
     # Whole bytes a row, so that no row begins within one.
     pixels = 8 * int(np.ceil((SIZE + 2) * ratio / 8.0))
     image = QtGui.QImage(pixels, pixels, QtGui.QImage.Format_Grayscale8)
     image.fill(0)
     _paint(image, shape, ratio, QtGui.QColor("white"), HALO if with_halo else 0.0)
     rows = np.frombuffer(bytes(image.constBits()), dtype=np.uint8).reshape(pixels, -1)[:, :pixels]
-    bits = np.packbits(rows > 127, axis=1).tobytes()
+    # As pivy takes them: a character for each pixel, a blank where there is nothing.
+    bits = np.where(rows > 127, ord("#"), ord(" ")).astype(np.uint8).tobytes()
     number = coin.SoMarkerSet.getNumDefinedMarkers()
     coin.SoMarkerSet.addMarker(number, coin.SbVec2s(pixels, pixels), bits, False, True)
     return number
 
 
-def _paint(device, shape, scale, colour, halo):
+def _paint(device, shape, scale, colour, halo, up=0.0):
     painter = QtGui.QPainter(device)
     painter.setRenderHint(QtGui.QPainter.Antialiasing, halo == 0.0 and device.depth() > 8)
     painter.translate(device.width() / 2.0, device.height() / 2.0)
     painter.scale(scale, scale)
+    painter.translate(0.0, -up)
     filled, stroked, width = _path(shape)
     if halo:
-        painter.strokePath(filled, QtGui.QPen(colour, 2.0 * halo, QtCore.Qt.SolidLine, QtCore.Qt.RoundCap, QtCore.Qt.RoundJoin))
+        painter.strokePath(
+            filled,
+            QtGui.QPen(colour, 2.0 * halo, QtCore.Qt.SolidLine, QtCore.Qt.RoundCap, QtCore.Qt.RoundJoin),
+        )
     painter.fillPath(filled, colour)
     painter.strokePath(stroked, QtGui.QPen(colour, width + 2.0 * halo))
     painter.end()
@@ -85,7 +100,7 @@ def _path(shape):
     elif shape == FREE:
         _polyline(lines, (-5, -5), (5, 5))
         _polyline(lines, (-5, 5), (5, -5))
-    elif shape == RING:
+    elif shape in (RING, HOVER):
         lines.addEllipse(QtCore.QPointF(0, 0), 8.5, 8.5)
     elif shape == DOT:
         filled.addEllipse(QtCore.QPointF(0, 0), 4.0, 4.0)

@@ -1,10 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What holds a form, as marks in the 3D view: one for each kind, of one size at any zoom, with its direction."""
+"""What holds a form, as marks in the 3D view: one for each kind, as large at any zoom, with its direction."""
 
 import numpy as np
 from pivy import coin
 
-from funicular.gui.drawing.mark_shapes import COLOURS, DOT, FREE, LINE, PLANE, POINT, RING, YIELDS, marker
+from funicular.gui.drawing.mark_shapes import (
+    COLOURS,
+    DOT,
+    FREE,
+    HOVER,
+    LINE,
+    PLANE,
+    POINT,
+    RING,
+    YIELDS,
+    marker,
+)
 from funicular.held import square_in
 
 MILLIMETRES = 1e3  # of a metre
@@ -21,18 +32,17 @@ class SupportMarks:
 
     def __init__(self, vobj):
         self._vobj = vobj
-        self._root = coin.SoSeparator()
+        # After all else, so that no line hides a mark.
+        self._root = coin.SoAnnotation()
         self._root.setName(NAME)
-        self._marks = {kind: _Marks(kind) for kind in (RING, *KINDS, DOT)}
+        self._marks = {kind: _Marks(kind) for kind in (RING, *KINDS, DOT, HOVER)}
         unpickable = coin.SoPickStyle()
         unpickable.style = coin.SoPickStyle.UNPICKABLE
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR
-        depth = coin.SoDepthBuffer()
-        depth.test = False
         style = coin.SoDrawStyle()
         style.lineWidth = LINE_WIDTH
-        for node in (unpickable, light, depth, style, *(each.root for each in self._marks.values())):
+        for node in (unpickable, light, style, *(each.root for each in self._marks.values())):
             self._root.addChild(node)
         vobj.RootNode.addChild(self._root)
 
@@ -50,16 +60,20 @@ class SupportMarks:
         """Put rings around nodes, from the next form on."""
         self._marks[RING].place(nodes)
 
+    def hover(self, nodes):
+        """Put dark rings around nodes, from the next form on."""
+        self._marks[HOVER].place(nodes)
+
     def pick(self, nodes):
         """Put dots on nodes, from the next form on."""
         self._marks[DOT].place(nodes)
 
-    def show(self, form):
-        """Draw everything where it is in a Form."""
+    def show(self, form, are_small=False):
+        """Draw everything where it is in a Form. are_small: for they stand close on the screen."""
         ends = form.nodes[form.members[:, 1]] - form.nodes[form.members[:, 0]]
         size = float(np.median(np.linalg.norm(ends, axis=1))) if len(ends) else 0.0
         for each in self._marks.values():
-            each.show(form, size)
+            each.show(form, size, are_small)
 
     def count(self, kind):
         """How many nodes have a mark of a kind."""
@@ -74,7 +88,7 @@ class SupportMarks:
 
 
 def _directions(kind, held, chosen):
-    """(nodes (k,), polylines (k, j, 3) around each in members' lengths) that say along what nodes may slide."""
+    """[(nodes (k,), polylines (k, j, 3) around each, in members' lengths)] along which they may slide."""
     nodes, directions = held.nodes[chosen], held.directions[chosen]
     if kind == LINE:
         return [(nodes, ALONG * np.stack([-directions, directions], axis=1))]
@@ -99,19 +113,19 @@ class _Marks:
         white.rgb = (1.0, 1.0, 1.0)
         self._line_points, self._points = coin.SoCoordinate3(), coin.SoCoordinate3()
         self._lines, self._halos, self._marks = coin.SoLineSet(), coin.SoMarkerSet(), coin.SoMarkerSet()
-        self._halo, self._mark = marker(kind, with_halo=True), marker(kind)
+        self._kind, self._is_small = kind, None
         _set(self._lines.numVertices, [])
         for each in (colour, self._line_points, self._lines, self._points):
             self.root.addChild(each)
         for each in (white, self._halos, colour, self._marks):
             self.root.addChild(each)
         _set(self._points.point, [])
-        self._number(0)
+        self._number(0, False)
 
     def place(self, nodes, *polylines):
         self.nodes, self._polylines = np.asarray(nodes, dtype=int), polylines
 
-    def show(self, form, size):
+    def show(self, form, size, is_small):
         nodes = self.nodes
         if len(nodes) and nodes.max() >= len(form.nodes):
             # Of another net, until it is said which of this one are held.
@@ -123,15 +137,16 @@ class _Marks:
         _set(self._line_points.point, _millimetres(np.concatenate(points)) if points else [])
         _set(self._lines.numVertices, counts)
         _set(self._points.point, _millimetres(form.nodes[nodes]))
-        self._number(len(nodes))
+        self._number(len(nodes), is_small)
 
-    def _number(self, count):
-        for marks, index in ((self._halos, self._halo), (self._marks, self._mark)):
+    def _number(self, count, is_small):
+        indices = max(count, 1)
+        for marks, with_halo in ((self._halos, True), (self._marks, False)):
             marks.numPoints = count
-            if marks.markerIndex.getNum() != max(count, 1):
+            if marks.markerIndex.getNum() != indices or is_small != self._is_small:
                 # One for each: coin reads as many.
-                marks.markerIndex.setValues(0, max(count, 1), [index] * max(count, 1))
-                marks.markerIndex.setNum(max(count, 1))
+                _set(marks.markerIndex, [marker(self._kind, with_halo, is_small)] * indices)
+        self._is_small = is_small
 
 
 def _millimetres(points):

@@ -135,6 +135,11 @@ class Session(QtCore.QObject):
         """As LiveSolve.chart."""
         return self._live.chart if self._live is not None else []
 
+    @property
+    def source_net(self):
+        """The fn.Net as it was last laid, None before."""
+        return self._net
+
     def scene_and_accuracy(self):
         """(fn.Scene, accuracy [m]) as the properties are. Raises InvalidInput."""
         return scene_of(self.shell, self._net), solver_options(self.shell)["accuracy"]
@@ -224,7 +229,7 @@ class Session(QtCore.QObject):
                 setattr(self.shell, name, self.shell.evalExpression(expression))
 
     def _lay_net(self):
-        """Compute the net, and what holds it, where their properties have changed; the gridshell waits."""
+        """Compute the net where its properties have changed; the gridshell, and what holds it, wait."""
         net = self.net
         if net is None:
             raise fn.InvalidInput("Net is empty: close this panel and set it to a Net of this document")
@@ -232,9 +237,6 @@ class Session(QtCore.QObject):
             self._net = None
             _compute(net)
             self._net, self._laid = net_of(net), net
-        for support in self.shell.Supports:
-            if _is_to_compute(support):
-                _compute(support)
 
 
 def _is_to_compute(obj):

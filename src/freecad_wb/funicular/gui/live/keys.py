@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Esc, undo and redo, which belong to the panel before they belong to FreeCAD."""
+
+import FreeCADGui
+
+from funicular.gui.qt import QtCore, QtGui
+
+
+class Keys(QtCore.QObject):
+    """Sees keys before the panel's own frame, the 3D views and the window do.
+
+    Parameters
+    ----------
+    escape, undo, redo : callable() -> bool
+        True says that the key was taken.
+    """
+
+    def __init__(self, escape, undo, redo):
+        super().__init__()
+        self._escape = escape
+        self._shortcuts = ((QtGui.QKeySequence.Undo, undo), (QtGui.QKeySequence.Redo, redo))
+        self._watched = []
+
+    def watch(self, document, form):
+        """Watch the form and what it lies in, up to the window, and the document's 3D views."""
+        views = FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor")
+        watched = [view.graphicsView() for view in views]
+        while form is not None:
+            watched.append(form)
+            form = form.parentWidget()
+        main = FreeCADGui.getMainWindow()
+        for widget in watched if main in watched else [*watched, main]:
+            widget.installEventFilter(self)
+            self._watched.append(widget)
+
+    def stop(self):
+        for widget in self._watched:
+            try:
+                widget.removeEventFilter(self)
+            except RuntimeError:
+                pass  # it is closed
+        self._watched = []
+
+    def eventFilter(self, watched, event):
+        if event.type() == QtCore.QEvent.ShortcutOverride:
+            # A box for text accepts what it can take back itself, and then it does not come here.
+            for sequence, do in self._shortcuts:
+                if event.matches(sequence) and do():
+                    event.accept()
+                    return True
+        elif event.type() == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
+            return self._escape()
+        return False
