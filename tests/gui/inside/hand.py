@@ -18,6 +18,11 @@ def viewport():
     return Gui.ActiveDocument.ActiveView.graphicsView().viewport()
 
 
+def keyboard():
+    """What has the keyboard after a click into the 3D view."""
+    return viewport().parentWidget()
+
+
 def places(points):
     """(n, 2) places in the viewport of points (n, 3) [mm]."""
     from funicular.gui.drawing.on_screen import OnScreen
@@ -67,15 +72,8 @@ def drag(way, modifiers=QtCore.Qt.NoModifier, before_release=lambda: None):
 
 
 def key(widget, code, modifiers=QtCore.Qt.NoModifier):
-    """A key as Qt hands it out: first to who would rather have it than a shortcut, then to the widget.
-
-    Returns whether it was kept from the window's shortcuts.
-    """
+    """Press a key and let it go; Qt asks first who would rather have it than a shortcut of the window."""
     text = "" if modifiers else chr(code) if code < 128 else ""
-    asked = QtGui.QKeyEvent(QtCore.QEvent.ShortcutOverride, code, modifiers, text)
-    asked.ignore()
-    QtWidgets.QApplication.sendEvent(widget, asked)
     for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
         QtWidgets.QApplication.sendEvent(widget, QtGui.QKeyEvent(kind, code, modifiers, text))
     settle()
-    return asked.isAccepted()

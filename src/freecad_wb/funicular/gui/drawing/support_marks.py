@@ -23,6 +23,9 @@ NAME = "Funicular_support_marks"
 LINE_WIDTH = 3.0
 # Of a member's length: half a line, and from the middle of a square to its corner.
 ALONG, ACROSS = 0.6, 0.4
+# More marks than this of one kind are plain points: only its colour could be read, and bitmaps are slow.
+MANY = 500
+PLAIN, PLAIN_HALO = 5.0, 1.5  # [px]
 
 KINDS = (PLANE, LINE, POINT, YIELDS, FREE)
 
@@ -68,11 +71,15 @@ class SupportMarks:
         """Put dots on nodes, from the next form on."""
         self._marks[DOT].place(nodes)
 
-    def show(self, form, are_small=False):
-        """Draw everything where it is in a Form. are_small: for they stand close on the screen."""
-        ends = form.nodes[form.members[:, 1]] - form.nodes[form.members[:, 0]]
+    def show(self, form, are_small=False, only=None):
+        """Draw everything where it is in a Form.
+
+        are_small: for they stand close on the screen. only: nothing but one of RING, HOVER, DOT.
+        """
+        some = form.members[:: max(1, len(form.members) // 500)]
+        ends = form.nodes[some[:, 1]] - form.nodes[some[:, 0]]
         size = float(np.median(np.linalg.norm(ends, axis=1))) if len(ends) else 0.0
-        for each in self._marks.values():
+        for each in self._marks.values() if only is None else [self._marks[only]]:
             each.show(form, size, are_small)
 
     def count(self, kind):
@@ -106,20 +113,29 @@ class _Marks:
     """The nodes of one kind: their marks, with a halo, and the lines that tell a direction."""
 
     def __init__(self, kind):
-        self.nodes, self._polylines = np.zeros(0, dtype=int), ()
-        self.root = coin.SoSeparator()
+        self.nodes, self._polylines, self._kind = np.zeros(0, dtype=int), (), kind
+        self.root, self._index = coin.SoSeparator(), None
         colour, white = coin.SoBaseColor(), coin.SoBaseColor()
         colour.rgb = _rgb(COLOURS[kind])
         white.rgb = (1.0, 1.0, 1.0)
-        self._line_points, self._points = coin.SoCoordinate3(), coin.SoCoordinate3()
-        self._lines, self._halos, self._marks = coin.SoLineSet(), coin.SoMarkerSet(), coin.SoMarkerSet()
-        self._kind, self._is_small = kind, None
-        _set(self._lines.numVertices, [])
-        for each in (colour, self._line_points, self._lines, self._points):
+        line_points, points, lines = coin.SoCoordinate3(), coin.SoCoordinate3(), coin.SoLineSet()
+        halos, marks = coin.SoMarkerSet(), coin.SoMarkerSet()
+        large, small = coin.SoDrawStyle(), coin.SoDrawStyle()
+        large.pointSize, small.pointSize = PLAIN + 2 * PLAIN_HALO, PLAIN
+        halo_dots, dots = coin.SoPointSet(), coin.SoPointSet()
+        for each in (colour, line_points, lines, points, white, halos, large, halo_dots):
             self.root.addChild(each)
-        for each in (white, self._halos, colour, self._marks):
+        for each in (colour, marks, small, dots):
             self.root.addChild(each)
-        _set(self._points.point, [])
+        # Fields by themselves: to ask their node for them takes longer than to set them.
+        self._line_points, self._counts, self._points = line_points.point, lines.numVertices, points.point
+        self._as_marks = (
+            (halos.numPoints, halos.markerIndex, True),
+            (marks.numPoints, marks.markerIndex, False),
+        )
+        self._as_dots = halo_dots.numPoints, dots.numPoints
+        _set(self._counts, [])
+        _set(self._points, [])
         self._number(0, False)
 
     def place(self, nodes, *polylines):
@@ -130,23 +146,29 @@ class _Marks:
         if len(nodes) and nodes.max() >= len(form.nodes):
             # Of another net, until it is said which of this one are held.
             nodes, self._polylines = nodes[:0], ()
+        if not len(nodes) and not self._points.getNum():
+            return
         points, counts = [], []
         for of_these, around in self._polylines:
             points.append((form.nodes[of_these][:, None, :] + size * around).reshape(-1, 3))
             counts += [around.shape[1]] * len(of_these)
-        _set(self._line_points.point, _millimetres(np.concatenate(points)) if points else [])
-        _set(self._lines.numVertices, counts)
-        _set(self._points.point, _millimetres(form.nodes[nodes]))
+        _set(self._line_points, _millimetres(np.concatenate(points)) if points else [])
+        _set(self._counts, counts)
+        _set(self._points, _millimetres(form.nodes[nodes]))
         self._number(len(nodes), is_small)
 
     def _number(self, count, is_small):
-        indices = max(count, 1)
-        for marks, with_halo in ((self._halos, True), (self._marks, False)):
-            marks.numPoints = count
-            if marks.markerIndex.getNum() != indices or is_small != self._is_small:
+        as_dots = self._kind == DOT or count > MANY
+        for number in self._as_dots:
+            number.setValue(count if as_dots else 0)
+        count = 0 if as_dots else count
+        index = max(count, 1), is_small
+        for number, markers, with_halo in self._as_marks:
+            number.setValue(count)
+            if index != self._index:
                 # One for each: coin reads as many.
-                _set(marks.markerIndex, [marker(self._kind, with_halo, is_small)] * indices)
-        self._is_small = is_small
+                _set(markers, [marker(self._kind, with_halo, is_small)] * index[0])
+        self._index = index
 
 
 def _millimetres(points):

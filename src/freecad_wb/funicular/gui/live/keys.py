@@ -19,7 +19,7 @@ class Keys(QtCore.QObject):
         super().__init__()
         self._escape = escape
         self._shortcuts = ((QtGui.QKeySequence.Undo, undo), (QtGui.QKeySequence.Redo, redo))
-        self._watched = []
+        self._watched, self._is_taken = [], False
 
     def watch(self, document, form):
         """Watch the form and what it lies in, up to the window, and the document's 3D views."""
@@ -49,5 +49,10 @@ class Keys(QtCore.QObject):
                     event.accept()
                     return True
         elif event.type() == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
-            return self._escape()
+            self._is_taken = self._escape()
+            return self._is_taken
+        elif event.type() == QtCore.QEvent.KeyRelease and event.key() == QtCore.Qt.Key_Escape:
+            # The 3D view ends the panel when the key is let go.
+            was_taken, self._is_taken = self._is_taken, False
+            return was_taken
         return False

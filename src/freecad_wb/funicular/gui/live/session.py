@@ -253,3 +253,8 @@ def _compute(obj):
         pass  # its state says it too, and better
     if "Invalid" in obj.State:
         raise fn.InvalidInput(obj.getStatusString())
+    # Computed by itself an object stays marked, and the next change of anything would compute it again. What
+    # depends on it still has to be.
+    for user in obj.InList:
+        user.touch()
+    obj.purgeTouched()

@@ -9,6 +9,7 @@ from pivy import coin
 import funicular as fn
 from funicular.features.picked_edits import raised_of_net
 from funicular.features.support import FIXED, FREE, LINE, NODE_RECIPES, PLANE, at_nodes, held_by_each
+from funicular.gui.drawing.mark_shapes import DOT, HOVER, RING
 from funicular.gui.drawing.on_screen import OnScreen
 from funicular.gui.drawing.support_marks import SupportMarks
 from funicular.gui.live.directions import direction_of
@@ -41,8 +42,9 @@ class SupportsPart(SupportsForm):
     def __init__(self, session, pointer):
         super().__init__(session.shell)
         self._session, self._shell, self._pointer = session, session.shell, pointer
-        # As held_by_each(); the fn.Net that it is of; [(SwitchNode, what it showed)] by names of supports.
-        self._held, self._net, self._hidden = [], None, {}
+        # As held_by_each(), the fn.Net that it is of, and the fn.Scene; (SwitchNode, what it showed) of
+        # supports by their names.
+        self._held, self._net, self._scene, self._hidden = [], None, None, {}
         # What a support was before it was freed by the slider.
         self._kinds = {}
         self._hovered, self._are_close = (), False
@@ -89,14 +91,14 @@ class SupportsPart(SupportsForm):
             if self._net is None or len(net.nodes) != len(self._net.nodes):
                 self.picks.clear()
             self._net = net
-        self._take_held()
+        self.stiffness.set_mean_load(self._session.load_and_size[0] / len(net.nodes))
         view = FreeCADGui.getDocument(self._shell.Document.Name).activeView()
         if hasattr(view, "getCameraNode"):
             self._fit(OnScreen(view, self._shell.getGlobalPlacement()))
-        moment = self._session.moment
-        if moment.result is not None:
-            load = abs(np.asarray(moment.result.reactions)[:, 2].sum())
-            self.stiffness.set_mean_load(load / len(net.nodes))
+        if self._session.moment.scene is not self._scene:
+            # What holds it is another only with another scene.
+            self._scene = self._session.moment.scene
+            self._take_held()
 
     def _take_held(self):
         """Mark and list what holds the form as the properties now are."""
@@ -110,12 +112,14 @@ class SupportsPart(SupportsForm):
         free = [nodes for support, nodes, _ in self._held if support is not None and support.Kind == FREE]
         self.marks.hold(held_of(supports), np.concatenate(free) if free else np.zeros(0, dtype=int))
         self.list.show_held(self._shell, self._held)
+        self.recipes.show_recipe()
         self._hide_shapes()
         self._chosen()
+        self._draw()
 
-    def _draw(self):
+    def _draw(self, only=None):
         if self._session.form is not None:
-            self.marks.show(self._session.form, self._are_close)
+            self.marks.show(self._session.form, self._are_close, only)
 
     def _fit(self, screen):
         """Let marks be small where members are short on the screen, an OnScreen."""
@@ -141,7 +145,7 @@ class SupportsPart(SupportsForm):
         supports = [support for support, _, _ in self._held if _name(support) in names]
         self.stiffness.show_stiffness(stiffness_of(supports[0]) if supports else None)
         self.enable_changes(bool(names), bool(len(self.picks)))
-        self._draw()
+        self._draw(RING)
 
     def _choose_mark(self, node):
         name = self._name_at(node)
@@ -175,13 +179,13 @@ class SupportsPart(SupportsForm):
             QtWidgets.QToolTip.showText(at.on_global_screen, words, at.view.graphicsView().viewport())
         else:
             QtWidgets.QToolTip.hideText()
-        self._draw()
+        self._draw(HOVER)
 
     def _picked(self):
         self.marks.pick(self.picks.nodes)
         self._say_what_is_picked()
         self.enable_changes(bool(self.list.names()), bool(len(self.picks)))
-        self._draw()
+        self._draw(DOT)
 
     def _say_what_is_picked(self):
         count, elements = len(self.picks), self.picks.elements
@@ -213,7 +217,6 @@ class SupportsPart(SupportsForm):
         return True
 
     def _changed(self):
-        self.recipes.show_recipe()
         self.show_steps(self.steps)
         self._take_held()
         self._session.change()
