@@ -19,29 +19,26 @@ class Keys(QtCore.QObject):
         super().__init__()
         self._escape = escape
         self._shortcuts = ((QtGui.QKeySequence.Undo, undo), (QtGui.QKeySequence.Redo, redo))
-        self._watched, self._is_taken = [], False
+        self._is_over = self._is_taken = False
 
     def watch(self, document, form):
         """Watch the form and what it lies in, up to the window, and the document's 3D views."""
-        views = FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor")
-        watched = [view.graphicsView() for view in views]
-        while form is not None:
-            watched.append(form)
+        # None of them is kept: a view may close, and PySide would take what is kept for the next in its place.
+        for view in FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor"):
+            view.graphicsView().installEventFilter(self)
+        FreeCADGui.getMainWindow().installEventFilter(self)
+        while form is not None and not form.isWindow():
+            form.installEventFilter(self)
             form = form.parentWidget()
-        main = FreeCADGui.getMainWindow()
-        for widget in watched if main in watched else [*watched, main]:
-            widget.installEventFilter(self)
-            self._watched.append(widget)
 
     def stop(self):
-        for widget in self._watched:
-            try:
-                widget.removeEventFilter(self)
-            except RuntimeError:
-                pass  # it is closed
-        self._watched = []
+        """Qt takes a filter that is deleted off whatever it watched."""
+        self._is_over = True
+        self.deleteLater()
 
     def eventFilter(self, watched, event):
+        if self._is_over:
+            return False
         if event.type() == QtCore.QEvent.ShortcutOverride:
             # A box for text accepts what it can take back itself, and then it does not come here.
             for sequence, do in self._shortcuts:
