@@ -23,7 +23,7 @@ class Keys(QtCore.QObject):
 
     def watch(self, document, form):
         """Watch the form and what it lies in, up to the window, and the document's 3D views."""
-        # None of them is kept: a view may close, and PySide would take what is kept for the next in its place.
+        # None of them is kept: a view may close, and PySide takes what is kept for the next in its place.
         for view in FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor"):
             view.graphicsView().installEventFilter(self)
         FreeCADGui.getMainWindow().installEventFilter(self)

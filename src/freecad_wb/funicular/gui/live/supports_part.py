@@ -194,9 +194,9 @@ class SupportsPart(SupportsForm):
                 translate("Pick nodes in the 3D view with one of the tools, or choose a support.")
             )
         elif elements:
-            self.words.setText(translate("{}: {} nodes are picked").format(", ".join(elements), count))
+            self.words.setText(translate("Picked: {}, {} nodes").format(", ".join(elements), count))
         else:
-            self.words.setText(translate("{} nodes are picked").format(count))
+            self.words.setText(translate("Nodes picked: {}").format(count))
         self.words.setStyleSheet("")
 
     def say_what_is_wrong(self, sentence):
