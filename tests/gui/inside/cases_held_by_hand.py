@@ -5,7 +5,7 @@ import FreeCADGui as Gui
 import numpy as np
 import pytest
 from funicular.gui.drawing import mark_shapes as marks
-from hand import click, drag, key, keyboard, move, panel, place_of
+from hand import click, drag, key, move, panel, place_of, viewport
 from window import (
     QtCore,
     QtWidgets,
@@ -257,7 +257,7 @@ def test_list_and_view_choose_in_each_other(standing):
     click(place_of(middle()))
     hold("Fixed")
     (support,) = standing.Supports
-    key(keyboard(), QtCore.Qt.Key_Escape)
+    key(viewport(), QtCore.Qt.Key_Escape)
     tree = panel_box("SupportList")
     tree.clearSelection()
     assert marked(marks.RING) == 0
@@ -277,17 +277,17 @@ def test_undo_is_the_panels_own_and_esc_ends_the_tool_first(standing):
     click(place_of(middle()))
     hold("Fixed")
     panel_box("RecipeBoundary").click()
-    key(keyboard(), QtCore.Qt.Key_Z, CONTROL)
+    key(viewport(), QtCore.Qt.Key_Z, CONTROL)
     assert standing.SupportRecipe == "Corners" and len(standing.Supports) == 1
-    key(keyboard(), QtCore.Qt.Key_Z, CONTROL)
+    key(viewport(), QtCore.Qt.Key_Z, CONTROL)
     assert not standing.Supports and Gui.Control.activeDialog()
     panel_box("SupportRedo").click()
     panel_box("SupportRedo").click()
     assert standing.SupportRecipe == "Boundary" and len(standing.Supports) == 1
     assert panel_box("ToolNodes").isChecked()
-    key(keyboard(), QtCore.Qt.Key_Escape)
+    key(viewport(), QtCore.Qt.Key_Escape)
     assert panel_box("ToolOff").isChecked() and Gui.Control.activeDialog()
-    key(keyboard(), QtCore.Qt.Key_Escape)
+    key(viewport(), QtCore.Qt.Key_Escape)
     settle()
     assert not Gui.Control.activeDialog(), "without a tool it is the panel's"
 

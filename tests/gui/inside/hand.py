@@ -15,12 +15,13 @@ def panel():
 
 
 def viewport():
-    return Gui.ActiveDocument.ActiveView.graphicsView().viewport()
-
-
-def keyboard():
-    """What has the keyboard after a click into the 3D view."""
-    return viewport().parentWidget()
+    """The widget of the one 3D view; not by the view's own graphicsView(), which PySide would keep."""
+    (found,) = [
+        widget
+        for widget in QtWidgets.QApplication.allWidgets()
+        if widget.inherits("QOpenGLWidget") and widget.isVisible()
+    ]
+    return found
 
 
 def places(points):

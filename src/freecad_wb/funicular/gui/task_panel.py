@@ -316,7 +316,6 @@ class GridshellPanel:
 
     def begin(self):
         """Let the net rise."""
-        self.supports.begin(self.form)
         self.session.take_up()
 
     def fit_at_rest(self):

@@ -9,6 +9,13 @@ STEEPEST = 1e-2
 REACH = 12.0  # [px] from the pointer to what it is taken to mean
 
 
+def size_of(view):
+    """(width, height) of a 3D view in its widget's points, which may not be the pixels of its screen."""
+    ratio = FreeCADGui.getMainWindow().devicePixelRatioF()
+    width, height = view.getSize()
+    return width / ratio, height / ratio
+
+
 class OnScreen:
     """A 3D view as it now looks at points of a gridshell.
 
@@ -27,8 +34,7 @@ class OnScreen:
         if placement is not None:
             # FreeCAD multiplies columns, from the right.
             self._matrix = np.array(placement.toMatrix().A).reshape(4, 4).T @ self._matrix
-        # The widget counts in points, and not in the pixels of its screen.
-        self._size = np.array([width, height]) / FreeCADGui.getMainWindow().devicePixelRatioF()
+        self._size = np.array(size_of(view))
 
     def of(self, points):
         """(n, 2) places in the widget, from its upper left corner, of points (n, 3) [mm]; and (n,) depths."""

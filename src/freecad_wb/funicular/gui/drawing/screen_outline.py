@@ -3,6 +3,8 @@
 
 from pivy import coin
 
+from funicular.gui.drawing.on_screen import size_of
+
 NAME = "Funicular_outline"
 LINE_WIDTH = 2.0
 # Dark dashes on light: seen on any background.
@@ -38,8 +40,7 @@ class ScreenOutline:
         if self._graph is None:
             self._graph = graph
             graph.addChild(self._root)
-        viewport = view.graphicsView().viewport()
-        width, height = viewport.width(), viewport.height()
+        width, height = size_of(view)
         points = [(2.0 * x / width - 1.0, 1.0 - 2.0 * y / height, 0.0) for x, y in outline]
         self._points.point.setValues(0, len(points), points)
         self._points.point.setNum(len(points))

@@ -3,11 +3,15 @@
 
 import FreeCADGui
 
-from funicular.gui.qt import QtCore, QtGui
+from funicular.gui.qt import QtCore, QtGui, QtWidgets
+
+KEYS = (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease)
+# What has a text of its own to take steps back in.
+WITH_TEXT = (QtWidgets.QLineEdit, QtWidgets.QTextEdit, QtWidgets.QPlainTextEdit)
 
 
 class Keys(QtCore.QObject):
-    """Sees keys before the panel's own frame, the 3D views and the window do.
+    """Sees keys before the window and what is in it do; like Pointer it listens to the whole application.
 
     Parameters
     ----------
@@ -19,37 +23,41 @@ class Keys(QtCore.QObject):
         super().__init__()
         self._escape = escape
         self._shortcuts = ((QtGui.QKeySequence.Undo, undo), (QtGui.QKeySequence.Redo, redo))
-        self._is_over = self._is_taken = False
-
-    def watch(self, document, form):
-        """Watch the form and what it lies in, up to the window, and the document's 3D views."""
-        # None of them is kept: a view may close, and PySide takes what is kept for the next in its place.
-        for view in FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor"):
-            view.graphicsView().installEventFilter(self)
-        FreeCADGui.getMainWindow().installEventFilter(self)
-        while form is not None and not form.isWindow():
-            form.installEventFilter(self)
-            form = form.parentWidget()
+        self._is_taken = False
+        QtWidgets.QApplication.instance().installEventFilter(self)
 
     def stop(self):
-        """Qt takes a filter that is deleted off whatever it watched."""
-        self._is_over = True
-        self.deleteLater()
+        """Listen no more."""
+        QtWidgets.QApplication.instance().removeEventFilter(self)
 
     def eventFilter(self, watched, event):
-        if self._is_over:
+        if event.type() not in KEYS or not _is_in_window(watched):
             return False
         if event.type() == QtCore.QEvent.ShortcutOverride:
-            # A box for text accepts what it can take back itself, and then it does not come here.
-            for sequence, do in self._shortcuts:
-                if event.matches(sequence) and do():
-                    event.accept()
-                    return True
-        elif event.type() == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
+            return not isinstance(watched, WITH_TEXT) and self._is_shortcut_taken(event)
+        if event.key() != QtCore.Qt.Key_Escape:
+            return False
+        if event.type() == QtCore.QEvent.KeyPress:
             self._is_taken = self._escape()
             return self._is_taken
-        elif event.type() == QtCore.QEvent.KeyRelease and event.key() == QtCore.Qt.Key_Escape:
-            # The 3D view ends the panel when the key is let go.
-            was_taken, self._is_taken = self._is_taken, False
-            return was_taken
+        # The 3D view ends the panel when the key is let go.
+        was_taken, self._is_taken = self._is_taken, False
+        return was_taken
+
+    def _is_shortcut_taken(self, event):
+        for sequence, do in self._shortcuts:
+            if event.matches(sequence) and do():
+                event.accept()
+                return True
         return False
+
+
+def _is_in_window(watched):
+    """Whether it is a widget of FreeCAD's window or of a dock beside it, and not of a dialog or menu."""
+    try:
+        if not isinstance(watched, QtWidgets.QWidget):
+            return False
+        window = watched.window()
+        return window == FreeCADGui.getMainWindow() or isinstance(window, QtWidgets.QDockWidget)
+    except RuntimeError:
+        return False  # it is just being closed

@@ -65,10 +65,6 @@ class SupportsPart(SupportsForm):
         self._say_what_is_picked()
         self.show_steps(self.steps)
 
-    def begin(self, panel_form):
-        """The panel is shown: Esc, undo and redo may come."""
-        self._keys.watch(self._shell.Document, panel_form)
-
     def leave(self):
         """Take everything out of the 3D view and off the keyboard."""
         self._keys.stop()
@@ -176,7 +172,7 @@ class SupportsPart(SupportsForm):
         self.marks.hover(shown)
         self.list.mark(None if entry is None else _name(entry[0]))
         if words:
-            QtWidgets.QToolTip.showText(at.on_global_screen, words, at.view.graphicsView().viewport())
+            QtWidgets.QToolTip.showText(at.on_global_screen, words)
         else:
             QtWidgets.QToolTip.hideText()
         self._draw(HOVER)
