@@ -10,6 +10,7 @@ import funicular as fn
 from documents import array, assert_refused, recompute, reopened
 from funicular.features.gridshell import scene_of
 from funicular.features.net import net_of
+from funicular.features.support import held_by_each
 from funicular.make import make_gridshell, make_support
 
 V = App.Vector
@@ -70,6 +71,40 @@ def test_nodes_on_an_edge_stay_on_its_vertical_plane(doc, box, shell):
     positions = array(shell.NodePositions)[on_edge]
     assert np.abs(positions[:, 0]).max() < 1e-9
     assert positions[:, 2].max() > 3100, "it rises within that plane"
+
+
+def test_picked_nodes_of_the_border_stay_on_its_vertical_planes(doc, box, shell):
+    nodes = array(shell.Net.SourceNodes)
+    on_side, on_front = np.flatnonzero(nodes[:, 0] == 0)[2:5], np.flatnonzero(nodes[:, 1] == 0)[2:5]
+    places = [shell.Net.NodePlaces[node] for node in [*on_side.tolist(), *on_front.tolist()]]
+    support = make_support(doc, shell, Points=places, Kind="On its vertical plane")
+    assert recompute(doc) == {}
+    moved = np.abs(array(shell.NodePositions) - nodes)
+    assert moved[on_side, 0].max() < 1e-9 < 1.0 < moved[on_side, 2].min()
+    assert moved[on_front, 1].max() < 1e-9 < 1.0 < moved[on_front, 2].min()
+    support.Points = [V(0.5, 0.5, 0)]
+    recompute(doc)
+    assert_refused(support, "is not on the border of the net", "'On a plane'")
+
+
+def test_a_support_takes_nodes_over_from_those_before_it(doc, box, shell):
+    edge = make_support(doc, shell, Elements=[edge_of(box, y=0, z=3000)])
+    assert recompute(doc) == {}
+    first, second, *others = edge.HeldNodes
+    place_of = shell.Net.NodePlaces
+    line = make_support(doc, shell, Points=[place_of[second]], Kind="On its vertical line")
+    assert second in held(shell)["Fixed"], "without more it adds to what holds the node"
+    line.TakesOver = True
+    assert recompute(doc) == {}
+    assert second not in held(shell)["Fixed"] and held(shell)["OnLine"] == [second]
+    assert set(others) <= set(held(shell)["Fixed"])
+    free = make_support(doc, shell, Points=[place_of[node] for node in (first, second)], Kind="Free")
+    assert "OnLine" not in held(shell) and first not in held(shell)["Fixed"]
+    again = make_support(doc, shell, Points=[place_of[first]], TakesOver=True)
+    assert first in held(shell)["Fixed"] and "OnLine" not in held(shell), "nor may what was freed stay so"
+    nodes = {each: part.tolist() for each, part, _ in held_by_each(shell, net_of(shell.Net))}
+    assert nodes[free] == [second] and nodes[again] == [first] and not nodes[line]
+    assert nodes[edge] == others
 
 
 def test_nodes_on_vertical_lines_rise_straight(doc, box, shell):

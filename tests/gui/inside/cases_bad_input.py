@@ -61,8 +61,7 @@ def test_bad_input_is_a_sentence_and_the_last_good_shape_stays(opened, name, tex
 
 def test_no_supports_is_a_sentence(opened):
     before = result_line()
-    box = panel_box("SupportRecipe")
-    box.setCurrentIndex(box.findText("None"))
+    panel_box("RecipeNone").click()
     line = wait_for_result(before)
     assert line.startswith("✖") and "SupportRecipe" in line and "choose" in line
 

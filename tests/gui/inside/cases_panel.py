@@ -73,7 +73,7 @@ def test_source_and_net_give_way_to_the_gridshell_and_hang_below_it(opened, roof
 
 def test_every_input_has_a_label_and_says_what_it_is(opened):
     names_of_inputs = shown_inputs(opened)
-    assert len(names_of_inputs) == 21
+    assert len(names_of_inputs) == 20
     boxes = [panel_box(name) for name in names_of_inputs]
     reached, widget = [], boxes[0]
     while len(reached) < len(boxes) and widget.objectName() not in reached:

@@ -24,7 +24,11 @@ def raised(shell, points, height):
     nodes = nodes_at(shell, points)
     if not nodes:
         raise fn.InvalidInput("no node is picked: select nodes (the ends of members) of the gridshell")
-    net = shell.Net
+    return raised_of_net(shell.Net, nodes, height)
+
+
+def raised_of_net(net, nodes, height):
+    """As raised(), of nodes of a Net by their numbers."""
     if net.NodePlaces:
         by_place = [(net.NodePlaces[node].x, net.NodePlaces[node].y) for node in nodes]
         before = {(at.x, at.y): at.z for at in net.Raised}

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A Support in the document: which nodes of a net it holds, said so that it outlives other steps, and how."""
 
+from weakref import WeakKeyDictionary
+
 import FreeCAD as App
 import numpy as np
 import Part
@@ -75,6 +77,13 @@ class Support(Feature):
             "0 N/m",
             unit="N/m",
         ),
+        Property(
+            "App::PropertyBool",
+            "TakesOver",
+            "Support",
+            "Take its nodes from the supports before it in the gridshell's list, instead of adding to them",
+            False,
+        ),
         Property("App::PropertyIntegerList", "HeldNodes", "Support", "What was found", mode=("ReadOnly",)),
         Property(
             "App::PropertyStringList",
@@ -111,11 +120,16 @@ def at_picks(shell, elements, points):
         return {"Where": ELEMENTS, "Elements": elements}
     if not points:
         return {"Where": "Boundary"}
-    picked = nodes_at(shell, points)
-    if shell.Net.NodePlaces:
-        return {"Where": POINTS, "Points": [shell.Net.NodePlaces[node] for node in picked]}
-    numbers = shell.Net.NodeNumbers or range(shell.Net.NodeCount)
-    return {"Where": NODES, "Nodes": [int(numbers[node]) for node in picked]}
+    return at_nodes(shell.Net, nodes_at(shell, points))
+
+
+def at_nodes(net, nodes):
+    """The properties of a Support on nodes of a Net: kept as places on the face where there are such."""
+    places = net.NodePlaces
+    if places:
+        return {"Where": POINTS, "Points": [places[node] for node in nodes]}
+    numbers = net.NodeNumbers or range(net.NodeCount)
+    return {"Where": NODES, "Nodes": [int(numbers[node]) for node in nodes]}
 
 
 def nodes_at(shell, points):
@@ -165,7 +179,7 @@ def _lines(obj, net):
                 )
         return lines
     if obj.Where == POINTS:
-        return [_nearest(obj)]
+        return [_nearest(obj, net)]
     numbers = obj.Net.NodeNumbers or range(len(net.nodes))
     own = {number: node for node, number in enumerate(numbers)}
     wrong = next((node for node in obj.Nodes if node not in own), None)
@@ -186,26 +200,40 @@ def _kinds(obj):
     return [kinds.get(element, "") for element in obj.Elements]
 
 
-def _nearest(obj):
+def _nearest(obj, net):
     """The node nearest to each of Points, on the unit square of the face."""
-    if not obj.Net.NodePlaces:
+    # Whoever moves a form asks again and again of one net, each time for the same places.
+    points = obj.Points
+    asked = tuple(tuple(point) for point in points)
+    found = _NEAREST.setdefault(net, {})
+    if asked not in found:
+        found[asked] = _nearest_of(obj, points)
+    return found[asked]
+
+
+_NEAREST = WeakKeyDictionary()
+
+
+def _nearest_of(obj, points):
+    node_places = obj.Net.NodePlaces
+    if not node_places:
         raise fn.InvalidInput(
             "Points are (u, v) of one whole face, which this net does not lie on: choose "
             f"{ELEMENTS} or {NODES}"
         )
-    places = Places(
-        np.array([(at.x, at.y) for at in obj.Net.NodePlaces]),
-        (obj.Net.ClosedU, obj.Net.ClosedV),
-        frozenset(obj.Net.Poles),
-    )
+    uv = [(at.x, at.y) for at in node_places]
+    places = Places(np.array(uv), (obj.Net.ClosedU, obj.Net.ClosedV), frozenset(obj.Net.Poles))
+    # As picked, places are those of nodes; only with another step are they between them.
+    node_at = dict(zip(reversed(uv), range(len(uv) - 1, -1, -1)))
     found = []
-    for at, point in enumerate(obj.Points):
+    for at, point in enumerate(points):
         if not (-1e-9 <= point.x <= 1 + 1e-9 and -1e-9 <= point.y <= 1 + 1e-9):
             raise fn.InvalidInput(
                 f"Points[{at}] is ({point.x:g}, {point.y:g}): give u and v between 0 and 1, shares of the "
                 "face's length"
             )
-        found.append(places.nearest_node((point.x, point.y)))
+        own = node_at.get((point.x, point.y))
+        found.append(places.nearest_node((point.x, point.y)) if own is None else own)
     return np.array(found, dtype=int)
 
 
@@ -233,6 +261,8 @@ def supports_of(obj, net, nodes):
 
 def _on_vertical_planes(obj, net, nodes, stiffness):
     """Each node on the vertical plane along its edge or border."""
+    if obj.Where in (POINTS, NODES):
+        return _along_the_border(net, nodes, stiffness)
     lines = [line for line in _lines(obj, net) if len(line) > 1]
     if obj.Where not in (ELEMENTS, "Boundary", "Opening rims") or not lines:
         raise fn.InvalidInput(
@@ -252,6 +282,21 @@ def _on_vertical_planes(obj, net, nodes, stiffness):
     return [fn.OnPlane(plane.ids, normal=plane.normal, stiffness=stiffness) for plane in planes]
 
 
+def _along_the_border(net, nodes, stiffness):
+    """Nodes of their own on the vertical planes along the border of the net."""
+    rims = topology.rims(net.nodes, net.panels) if net.panels else []
+    on_rims = np.concatenate(rims) if rims else np.array([], dtype=int)
+    inside = nodes[~np.isin(nodes, on_rims)]
+    if len(inside):
+        raise fn.InvalidInput(
+            f"Kind: node {inside[0]} is not on the border of the net, along which a vertical plane could "
+            f"stand; choose '{PLANE}' and give its normal as Direction, or leave the node out"
+        )
+    planes = vertical_planes(net.nodes, [rim for rim in rims if np.isin(rim, nodes).any()], closed=True)
+    planes = [(plane, plane.ids[np.isin(plane.ids, nodes)]) for plane in planes]
+    return [fn.OnPlane(ids, normal=plane.normal, stiffness=stiffness) for plane, ids in planes if len(ids)]
+
+
 def _lengthened(nodes, line):
     """(nodes, [line]) with a point more beyond each end, so that the line goes on there as it came."""
     extra = 2 * nodes[line[[0, -1]]] - nodes[line[[1, -2]]]
@@ -263,6 +308,16 @@ def supports_of_gridshell(obj, net):
 
     Raises InvalidInput naming SupportRecipe or the Support.
     """
+    return [support for _, _, supports in held_by_each(obj, net) for support in supports]
+
+
+def held_by_each(obj, net):
+    """[(Support, (k,) its nodes, the fn supports on them)]: what each holds in the end, of a Gridshell.
+
+    The first is its recipe, with None for the Support, on the nodes of which no Support speaks. What a
+    Support has lost to others is not among its nodes. Raises InvalidInput naming SupportRecipe or the
+    Support.
+    """
     if obj.SupportRecipe == "None" and not obj.Supports:
         raise fn.InvalidInput(
             "SupportRecipe is None, and a shell without supports falls: choose "
@@ -270,10 +325,10 @@ def supports_of_gridshell(obj, net):
             + ", or give it Supports"
         )
     try:
-        supports = support_recipe(net, obj.SupportRecipe.lower(), openings_of(obj.Net))
+        recipe = support_recipe(net, obj.SupportRecipe.lower(), openings_of(obj.Net))
     except fn.InvalidInput as error:
         raise fn.InvalidInput(f"SupportRecipe: {error}") from None
-    own, spoken_for, freed = [], set(), set()
+    held, spoken_for, freed = [], set(), set()
     for support in obj.Supports:
         if getattr(support, "FunicularType", "") != "Support" or support.Net != obj.Net:
             raise fn.InvalidInput(
@@ -282,16 +337,27 @@ def supports_of_gridshell(obj, net):
             )
         try:
             nodes = nodes_of_support(support, net)
-            own += supports_of(support, net, nodes)
+            made = supports_of(support, net, nodes)
         except fn.InvalidInput as error:
             raise fn.InvalidInput(f"{support.Label}: {error}") from None
         spoken_for.update(nodes.tolist())
+        if support.TakesOver:
+            held = [_without_nodes(each, set(nodes.tolist())) for each in held]
+            freed.difference_update(nodes.tolist())
+        held.append((support, nodes, made))
         if support.Kind == FREE:
             freed.update(nodes.tolist())
     # A support that slides or yields would say nothing where the recipe holds its nodes.
-    supports = [_without(support, spoken_for) for support in supports]
-    supports += [_without(support, freed) for support in own]
-    return [support for support in supports if support is not None]
+    nodes = np.concatenate([support.ids for support in recipe]) if recipe else np.array([], dtype=int)
+    by_recipe = _without_nodes((None, nodes, recipe), spoken_for)
+    return [by_recipe] + [each if each[0].Kind == FREE else _without_nodes(each, freed) for each in held]
+
+
+def _without_nodes(held, lost):
+    """An entry of held_by_each() without the nodes that it has lost."""
+    support, nodes, made = held
+    kept = [_without(each, lost) for each in made]
+    return support, nodes[~np.isin(nodes, list(lost))], [each for each in kept if each is not None]
 
 
 def _without(support, freed):

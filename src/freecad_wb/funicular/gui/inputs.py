@@ -53,11 +53,10 @@ SECTIONS = (
         ),
     ),
     (
-        QT_TRANSLATE_NOOP("Funicular", "Members and supports"),
+        QT_TRANSLATE_NOOP("Funicular", "Members"),
         (
             ("Gridshell", "AxialStiffness", QT_TRANSLATE_NOOP("Funicular", "Stiffness EA")),
             ("Gridshell", "AllowTension", QT_TRANSLATE_NOOP("Funicular", "Allow tension")),
-            ("Gridshell", "SupportRecipe", QT_TRANSLATE_NOOP("Funicular", "Supports")),
         ),
     ),
     (

@@ -21,6 +21,7 @@ from funicular.gui.live.pointer import Pointer
 from funicular.gui.live.section import Section
 from funicular.gui.live.session import Session
 from funicular.gui.live.state_part import StatePart
+from funicular.gui.live.supports_part import SupportsPart
 from funicular.gui.live.variants_part import VariantsPart, picture_of_view
 from funicular.gui.picking import (
     WrongSelection,
@@ -244,6 +245,8 @@ class GridshellPanel:
 
     def _parts(self):
         """(name, title, widget) of each other section."""
+        self.supports = SupportsPart(self.session, self.pointer)
+        yield "Supports", translate("Supports"), self.supports
         self.look = LookPart(self.session)
         yield "View", translate("View"), self.look
         self.variants = VariantsPart(self.session, picture_of_view(self._view), self._show_inputs)
@@ -351,6 +354,7 @@ class GridshellPanel:
         self._pause.stop()
         self._quiet.stop()
         self.session.stop()
+        self.supports.leave()
         self.pointer.stop()
         self.drawing.remove()
         self.price.stop()

@@ -4,7 +4,16 @@
 import FreeCADGui
 import numpy as np
 
+# Of a line of sight, squared: the level part below which heights cannot be told from it.
+STEEPEST = 1e-2
 REACH = 12.0  # [px] from the pointer to what it is taken to mean
+
+
+def size_of(view):
+    """(width, height) of a 3D view in its widget's points, which may not be the pixels of its screen."""
+    ratio = FreeCADGui.getMainWindow().devicePixelRatioF()
+    width, height = view.getSize()
+    return width / ratio, height / ratio
 
 
 class OnScreen:
@@ -25,8 +34,7 @@ class OnScreen:
         if placement is not None:
             # FreeCAD multiplies columns, from the right.
             self._matrix = np.array(placement.toMatrix().A).reshape(4, 4).T @ self._matrix
-        # The widget counts in points, and not in the pixels of its screen.
-        self._size = np.array([width, height]) / FreeCADGui.getMainWindow().devicePixelRatioF()
+        self._size = np.array(size_of(view))
 
     def of(self, points):
         """(n, 2) places in the widget, from its upper left corner, of points (n, 3) [mm]; and (n,) depths."""
@@ -34,6 +42,32 @@ class OnScreen:
         w = np.where(np.abs(homogeneous[:, 3]) < 1e-300, 1e-300, homogeneous[:, 3])
         x, y, depth = (homogeneous[:, :3] / w[:, None]).T
         return np.column_stack([0.5 + 0.5 * x, 0.5 - 0.5 * y]) * self._size, depth
+
+    def ray(self, at):
+        """(point, unit direction) [mm] of what is seen below the place `at` (x, y) of the widget."""
+        share = np.asarray(at, dtype=float) / self._size
+        x, y = 2.0 * share[0] - 1.0, 1.0 - 2.0 * share[1]
+        ends = np.array([[x, y, -1.0, 1.0], [x, y, 1.0, 1.0]]) @ np.linalg.inv(self._matrix)
+        near, far = ends[:, :3] / ends[:, 3:]
+        return near, (far - near) / np.linalg.norm(far - near)
+
+    def height_at(self, point, at):
+        """Height above `point` (3,) [mm] at which the vertical through it is nearest to the place `at`.
+
+        None where the vertical is seen from above, or as good as that.
+        """
+        origin, direction = self.ray(at)
+        level = 1.0 - direction[2] ** 2
+        if level < STEEPEST:
+            return None
+        away = origin - point
+        return float((away[2] - direction[2] * (direction @ away)) / level)
+
+    def length_of(self, points, members):
+        """Median length [px] of members (m, 2), of a few dozen if there are more."""
+        some = members[:: max(1, len(members) // 50)]
+        places, _ = self.of(points[some.ravel()])
+        return float(np.median(np.linalg.norm(places[::2] - places[1::2], axis=1))) if len(some) else 0.0
 
     def nearest_node(self, points, at, reach=REACH):
         """Number of the point (n, 3) [mm] that `at` (x, y) is on, the foremost of several; None for none."""

@@ -9,6 +9,8 @@ from funicular.gui.qt import QtCore, QtWidgets
 MOUSE = {
     QtCore.QEvent.MouseMove: "moved",
     QtCore.QEvent.MouseButtonPress: "pressed",
+    # What Qt makes of a second press that follows soon.
+    QtCore.QEvent.MouseButtonDblClick: "pressed",
     QtCore.QEvent.MouseButtonRelease: "released",
     QtCore.QEvent.Leave: "left",
 }

@@ -155,6 +155,11 @@ class Session(QtCore.QObject):
         """As LiveSolve.chart."""
         return self._live.chart if self._live is not None else []
 
+    @property
+    def source_net(self):
+        """The fn.Net as it was last laid, None before."""
+        return self._net
+
     def scene_and_accuracy(self):
         """(fn.Scene, accuracy [m]) as the properties are. Raises InvalidInput."""
         return scene_of(self.shell, self._net), solver_options(self.shell)["accuracy"]
@@ -249,7 +254,7 @@ class Session(QtCore.QObject):
                 setattr(self.shell, name, self.shell.evalExpression(expression))
 
     def _lay_net(self):
-        """Compute the net, and what holds it, where their properties have changed; the gridshell waits."""
+        """Compute the net where its properties have changed; the gridshell, and what holds it, wait."""
         net = self.net
         if net is None:
             raise fn.InvalidInput("Net is empty: close this panel and set it to a Net of this document")
@@ -257,9 +262,6 @@ class Session(QtCore.QObject):
             self._net = None
             _compute(net)
             self._net, self._laid = net_of(net), net
-        for support in self.shell.Supports:
-            if _is_to_compute(support):
-                _compute(support)
 
 
 def _is_to_compute(obj):
@@ -276,3 +278,8 @@ def _compute(obj):
         pass  # its state says it too, and better
     if "Invalid" in obj.State:
         raise fn.InvalidInput(obj.getStatusString())
+    # Computed by itself an object stays marked, and the next change of anything would compute it again. What
+    # depends on it still has to be.
+    for user in obj.InList:
+        user.touch()
+    obj.purgeTouched()
