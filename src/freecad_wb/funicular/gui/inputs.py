@@ -70,12 +70,23 @@ SECTIONS = (
 )
 
 # FreeCAD's unit schemas know no kg/m and kg/m²: its own box shows 30 kg/m² as "0.00 kg/mm^2" and rounds it to
-# that. Snow it would show as "0.00 Pa", and no one counts snow in pascals.
-UNITS = {"MemberWeight": "kg/m", "CoveringWeight": "kg/m²", "Snow": "kN/m²"}
+# that. Snow it would show as "0.00 Pa", and no one counts snow in pascals; strengths as "6000.00 kPa".
+UNITS = {
+    "MemberWeight": "kg/m",
+    "CoveringWeight": "kg/m²",
+    "Snow": "kN/m²",
+    "CompressiveStrength": "MPa",
+    "YoungsModulus": "MPa",
+}
 
 
-# Inputs that say nothing unless another property of their object has the value given.
+# Inputs that say nothing unless another property of their object has one of the values given.
 ONLY_WHERE = {name: ("Laying", "Equal lengths") for name in ("Start", "Crossing", "MostShear")}
+ONLY_WHERE |= {
+    name: ("SectionShape", "Round", "Rectangular")
+    for name in ("SectionWidth", "CompressiveStrength", "YoungsModulus")
+}
+ONLY_WHERE["SectionHeight"] = ("SectionShape", "Rectangular")
 ONLY_WHERE |= {
     name: ("Laying", "Along isolines")
     for name in ("Pattern", "StepV", "CountU", "CountV", "SwapUV", "OffsetU", "OffsetV", "Spacing")
@@ -84,8 +95,8 @@ ONLY_WHERE |= {
 
 def counts(obj, name):
     """Whether property `name` of `obj` has a say, as its others now are."""
-    other, value = ONLY_WHERE.get(name, (None, None))
-    return other is None or getattr(obj, other) == value
+    other, *values = ONLY_WHERE.get(name, (None,))
+    return other is None or getattr(obj, other) in values
 
 
 def expression_of(obj, name):
