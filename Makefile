@@ -98,6 +98,11 @@ ifeq ($(BENCH_FILTER),.)
 	$(PYTHON) bench/effect_costs.py build/bench/costs.csv $(bench_extent)
 	$(FREECAD) bench/sampling.py build/bench/sampling.csv $(bench_extent)
 	$(FREECAD) bench/documents.py build/bench/documents.csv $(bench_extent)
+	@mkdir -p build/bench/home
+	@FREECAD_USER_HOME=$(CURDIR)/build/bench/home $(FREECAD) tools/install.py --link
+	@FREECAD_USER_HOME=$(CURDIR)/build/bench/home FUNICULAR_FRAMES=build/bench/frames.csv $(DISPLAY_RUN) freecad \
+	    bench/frames.py > build/bench/frames.log 2>&1 || { cat build/bench/frames.log >&2; exit 1; }
+	@grep "nodes, " build/bench/frames.log
 	@$(PYTHON) bench/page.py build/bench $(BENCH_PAGE)
 endif
 

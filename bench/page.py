@@ -70,6 +70,7 @@ def write(folder, page):
         *sections.effects(solver, rows_in(folder, "costs")),
         *sections.laying(rows_in(folder, "sampling")),
         *sections.documents(documents),
+        *sections.frames(rows_in(folder, "frames")),
         *peer_section.peers(peers, facts_in(folder, "peers")),
     ]
     page.parent.mkdir(parents=True, exist_ok=True)

@@ -322,3 +322,26 @@ def documents(rows):
     titles = ["nodes", *DOCUMENT.values(), "file"]
     picture = "![Time in the document against nodes](performance-documents.png)"
     return ["## In the document", "", *paragraph(sentence), *grid(titles, lines), picture, ""]
+
+
+def frames(rows):
+    """What a frame of the live panel takes."""
+    if not rows:
+        return []
+    lines = [
+        [
+            row["what"],
+            count(row["nodes"]),
+            count(row["frames"]),
+            time_text(row["median"]),
+            time_text(row["longest"]),
+        ]
+        for row in rows
+    ]
+    sentence = (
+        "A flat sheet on its border in FreeCAD's window: what a frame takes of the window's processor time, "
+        "taking up what has changed, moving and drawing included, but not what FreeCAD takes to show it. The "
+        "solver runs beside it."
+    )
+    titles = ["while", "nodes", "frames", "median", "longest"]
+    return ["## Frames of the live panel", "", *paragraph(sentence), *grid(titles, lines)]

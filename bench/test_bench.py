@@ -80,6 +80,10 @@ nodes,effect,seconds,share,evaluations,bytes,seconds_without,saved,moved,dispens
 nodes,net_seconds,gridshell_seconds,solver_seconds,save_seconds,open_seconds,covering_seconds,megabytes
 1089,0.0131,0.0336,0.0187,0.083,0.0841,0.147,0.36
 """,
+    "frames": """\
+what,nodes,frames,median,longest
+rising,2500,24,0.0115,0.0155
+""",
     "peers": """\
 peer,version,model,status,nodes,tolerance,seconds,first_seconds,setup_seconds,residual,shape_distance,reason
 compas_fd,0.50,force densities,measured,121,1e-6,0.0038,0.0057,0.0002,5e-14,0,
@@ -101,6 +105,7 @@ SAID = (
     "| flat, 121 nodes | relaxation | time limit after 5 s | not asked |",
     "| snow | 41 | 3.5 ms | 23 % | 32 | 31 % | 2.1 mm |",
     "| 1,089 | 13 ms | 34 ms | 19 ms | 83 ms | 84 ms | 147 ms | 0.4 MB |",
+    "| rising | 2,500 | 24 | 12 ms | 16 ms |",
     "| compas_fd 0.50 | 3.8 ms |",
     "| **Funicular** | 1.4 ms |",
     "| **Funicular** | 2·10⁻¹ after 60 s |",

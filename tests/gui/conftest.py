@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The window's tests need the real program: the cases in inside/ are run by a pytest within FreeCAD itself.
 
-This outer pytest lists them, starts FreeCAD once for those that were chosen, and passes on what became of
-each.
+This outer pytest lists them, starts FreeCAD for those that were chosen, a program for each of two cores, and
+passes on what became of each.
 """
 
 import ast
+import os
 import pathlib
 
 import pytest
@@ -32,8 +33,10 @@ def pytest_generate_tests(metafunc):
 
 @pytest.fixture(scope="session")
 def outcomes(request, tmp_path_factory):
-    """{case: (outcome, report)} of one run of FreeCAD with this checkout as its addon."""
+    """{case: (outcome, report)} with this checkout as FreeCAD's addon; {(None, case): (end, printed)} of the
+    program that ran the case."""
     chosen = [item.callspec.params["case"] for item in request.session.items if "case" in item.fixturenames]
-    home = tmp_path_factory.mktemp("home")
-    freecad_program.link_addon(home)
-    return freecad_program.run_cases(home, chosen)
+    homes = [tmp_path_factory.mktemp("home") for _ in range(min(2, os.cpu_count() or 1))]
+    for home in homes:
+        freecad_program.link_addon(home)
+    return freecad_program.run_cases_side_by_side(homes, chosen)

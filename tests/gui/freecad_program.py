@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Start the freecad program, with a home of its own, and let it run test cases."""
 
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -12,6 +13,11 @@ CHECKOUT = pathlib.Path(__file__).parents[2]
 INSIDE = pathlib.Path(__file__).parent / "inside"
 PICTURES = CHECKOUT / "build" / "gui"
 ADDON_PARTS = ("Init.py", "InitGui.py", "funicular_locate.py", "package.xml", "Resources", "src/freecad_wb")
+
+DISPLAY = ("xvfb-run", "--auto-servernum", "--server-args=-screen 0 1600x1000x24")
+
+# Files with cases that are longer than most.
+LONG_CASES = {"cases_session.py": 40, "cases_live.py": 2, "cases_held_by_hand.py": 2}
 
 # A hung window must end the run; no case measures time.
 LONGEST_RUN = 900
@@ -55,8 +61,40 @@ def copy_addon_without_core(home):
     return link / "src" / "freecad_wb" / "funicular"
 
 
-def run_cases(home, names):
-    """Run cases of inside/ within FreeCAD.
+def run_cases_side_by_side(homes, names):
+    """As run_cases(), by as many FreeCADs as there are homes, each on a display of its own.
+
+    Cases of one file stay together: some of them are quicker after others.
+    """
+    shares = [[] for _ in homes]
+    for names_of_file in sorted(_by_file(names), key=_weight, reverse=True):
+        min(shares, key=_weight).extend(names_of_file)
+    with concurrent.futures.ThreadPoolExecutor() as pool:
+        runs = [pool.submit(run_cases, home, share, DISPLAY) for home, share in zip(homes, shares) if share]
+        outcomes = {}
+        for run, share in zip(runs, filter(None, shares)):
+            of_run = run.result()
+            ended = of_run.pop(None)
+            outcomes.update(of_run)
+            # How the program ended matters for those that it did not come to.
+            outcomes.update({(None, name): ended for name in share})
+    return outcomes
+
+
+def _by_file(names):
+    files = {}
+    for name in names:
+        files.setdefault(name.partition("::")[0], []).append(name)
+    return files.values()
+
+
+def _weight(names):
+    """About how long these take, in cases of common length."""
+    return sum(LONG_CASES.get(name.partition("::")[0], 1) for name in names)
+
+
+def run_cases(home, names, display=()):
+    """Run cases of inside/ within FreeCAD. display: what to start it by, for a screen of its own.
 
     Returns
     -------
@@ -69,7 +107,7 @@ def run_cases(home, names):
     order = dict(cases=names, results=str(results), pictures=str(PICTURES), inside=str(INSIDE))
     program = os.environ.get("FREECAD") or shutil.which("freecad") or shutil.which("FreeCAD")
     run = subprocess.run(
-        [program, INSIDE / "run_cases.py"],
+        [*display, program, INSIDE / "run_cases.py"],
         env=dict(environment(home), FUNICULAR_GUI_CASES=json.dumps(order)),
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
