@@ -21,7 +21,8 @@ from .features.covering import Covering
 from .features.feature import MARKER, reason
 from .features.gridshell import Gridshell
 from .features.net import Net
-from .features.support import WHERE_BY, Support
+from .features.node_choice import WHERE_BY
+from .features.support import Support
 
 FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell, Support, Covering)}
 

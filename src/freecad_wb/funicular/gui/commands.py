@@ -157,7 +157,7 @@ class SupportCommand:
         return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
 
     def Activated(self):
-        from funicular.features.support import at_picks
+        from funicular.features.node_choice import at_picks
         from funicular.gui.task_panel import show_message
         from funicular.make import make_support
 
