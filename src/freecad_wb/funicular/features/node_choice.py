@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which nodes of a net an object speaks of, said so that it outlives other steps: by recipe, element, place or
-number. So it is for Supports and for PointLoads."""
+"""Which nodes of a net a Support or a PointLoad speaks of, said so that it outlives other steps: by recipe,
+element of the source, place on the face or number."""
 
 from weakref import WeakKeyDictionary
 

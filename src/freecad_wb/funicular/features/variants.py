@@ -137,7 +137,7 @@ def remove_variant(shell, name):
 
 
 def restore_variant(shell, name):
-    """Give a Gridshell, its Net, its Supports and its PointLoads the inputs of a Variant; doc.recompute() finds its form.
+    """Give a Gridshell, its Net, Supports and PointLoads a Variant's inputs; doc.recompute() finds its form.
 
     Returns a list of sentences on what could not be restored. Raises InvalidInput for a name that there is
     not, before anything has changed.

@@ -8,6 +8,7 @@ import FreeCADGui
 
 from funicular.gui.edit_commands import RaiseCommand, TakeOutCommand
 from funicular.gui.icons import icon
+from funicular.gui.load_command import PointLoadCommand
 from funicular.gui.one_step import in_one_step
 from funicular.gui.picking import (
     WrongSelection,
@@ -303,6 +304,7 @@ COMMANDS = {
         GridshellCommand,
         SheetCommand,
         SupportCommand,
+        PointLoadCommand,
         CoveringCommand,
         RaiseCommand,
         TakeOutCommand,
