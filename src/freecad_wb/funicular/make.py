@@ -174,7 +174,12 @@ def attach_view_provider(obj):
         # FreeCAD puts a number where a view provider's proxy is missing.
         saved_without_window = isinstance(obj.ViewObject.Proxy, (int, type(None)))
         view_providers.attach_view_provider(obj)
-        if saved_without_window and any(getattr(user, MARKER, "") == Gridshell.TYPE for user in obj.InList):
+        is_net = getattr(obj, MARKER) == Net.TYPE
+        if (
+            saved_without_window
+            and is_net
+            and any(getattr(user, MARKER, "") == Gridshell.TYPE for user in obj.InList)
+        ):
             # Such a file says nothing of what is shown; the gridshell stands where its net lies.
             obj.Visibility = False
 

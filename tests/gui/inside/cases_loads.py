@@ -77,6 +77,7 @@ def show_rows():
     ]
     settle()
     area.ensureWidgetVisible(button, 0, 20)
+    area.horizontalScrollBar().setValue(0)
     settle()
 
 
@@ -170,7 +171,6 @@ def test_a_load_is_added_in_the_panel_and_cancel_leaves_nothing(shell, pictures)
     Gui.Selection.clearSelection()
     click(QtWidgets.QPushButton, "AddLoad")
     assert "No place for the load" in child(QtWidgets.QLabel, "LoadsSay").text()
-    # Another net, of which the document knows no form yet: what counts is what is shown.
     wait_for_rest(shell)
     edge = next(name for name in shell.Net.SourceElements if name.startswith("Edge"))
     Gui.Selection.addSelection(shell.Net.Source[0], edge)
@@ -182,9 +182,15 @@ def test_a_load_is_added_in_the_panel_and_cancel_leaves_nothing(shell, pictures)
     wait_for_rest(shell)
     show_rows()
     picture(pictures / "loads_added.png")
+    shell.ViewObject.Proxy._panel.supports.picks.add([3, 40])
+    click(QtWidgets.QPushButton, "AddLoad")
+    third = shell.PointLoads[2]
+    wait_until(lambda: len(tips_of(third)[0]) == 2, "arrows on what was picked in the panel")
+    assert not len(shell.ViewObject.Proxy._panel.supports.picks)
     click(QtWidgets.QToolButton, "PointLoadRemove")
-    assert shell.PointLoads == [added]
-    wait_for_rest(shell)
+    assert shell.PointLoads == [added, third]
+    form = wait_for_rest(shell)
+    assert tips_of(third)[0] == pytest.approx(form.nodes[[3, 40]] * 1e3, abs=0.1)
     press("Cancel")
     assert names(shell.Document) == objects and [each.Name for each in shell.PointLoads] == [first.Name]
     settle()

@@ -118,6 +118,10 @@ class ViewProviderPointLoad(ViewProvider):
     def __init__(self, vobj):
         super().__init__(vobj)
         self._hang(vobj)
+        modes = vobj.getEnumerationsOfProperty("DisplayMode")
+        if self.ARROWS not in modes:
+            # FreeCAD asks the first proxy alone, and a file that was saved without a window has had none.
+            vobj.DisplayMode = [*modes, self.ARROWS]
         vobj.DisplayMode = self.ARROWS
 
     def attach(self, vobj):
@@ -165,11 +169,12 @@ class ViewProviderPointLoad(ViewProvider):
         place: Placement of the nodes. largest: of all forces that are shown beside it, in FreeCAD's own unit.
         """
         load = self.vobj.Object
-        loaded = [node for node in loaded if node < len(nodes)]
-        size = float(np.ptp(nodes, axis=0).max(initial=0.0)) if loaded else 0.0
+        loaded = np.asarray(loaded, dtype=int)
+        loaded = loaded[loaded < len(nodes)]
+        size = float(np.ptp(nodes, axis=0).max()) if len(loaded) else 0.0
         length = LONGEST * size * load.Force.Value / largest if largest > 0.0 else 0.0
         matrix = np.array(load.Placement.inverse().multiply(place).toMatrix().A).reshape(4, 4)
-        points = nodes[loaded].reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3]
+        points = nodes[loaded] @ matrix[:3, :3].T + matrix[:3, 3]
         direction = matrix[:3, :3] @ tuple(load.Direction)
         self._arrows.show(points, direction, length, load.Force.UserString)
 
