@@ -10,7 +10,8 @@ import Part
 from documents import array, reopened
 from funicular.features.gridshell import RECIPES, scene_of
 from funicular.features.net import PATTERNS, net_of
-from funicular.features.support import KINDS, PLACES
+from funicular.features.node_choice import PLACES
+from funicular.features.support import KINDS
 from funicular.make import make_covering, make_gridshell, make_support
 
 V = App.Vector

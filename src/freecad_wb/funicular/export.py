@@ -30,7 +30,8 @@ def lattice_of(shell):
     if shell.Status not in ("", "converged"):
         raise fn.InvalidInput(f"{shell.Label} has no result: {shell.Summary}")
     if not shell.Status or any(
-        "Touched" in obj.State or not obj.isValid() for obj in (shell, shell.Net, *shell.Supports)
+        "Touched" in obj.State or not obj.isValid()
+        for obj in (shell, shell.Net, *shell.Supports, *shell.PointLoads)
     ):
         raise fn.InvalidInput(f"{shell.Label} has no result for its net as it is now: recompute it first")
     refuse_tilt(shell)
@@ -145,14 +146,14 @@ def to_be_studied(shell):
 
     options: accuracies, the gridshell's own among them, and max_seconds, its MaxSeconds. LengthMatching plays
     no part: lengths are those on the source. Raises InvalidInput for what is no Gridshell, for properties
-    that describe no scene, and where its Net or a Support has yet to be recomputed.
+    that describe no scene, and where its Net, a Support or a PointLoad has yet to be recomputed.
     """
     from .accuracy import ACCURACIES
 
     if getattr(shell, MARKER, "") != "Gridshell":
         raise fn.InvalidInput(f"{getattr(shell, 'Label', repr(shell))} is no Gridshell: give one")
     own = solver_options(shell)
-    for obj in (shell.Net, *shell.Supports):
+    for obj in (shell.Net, *shell.Supports, *shell.PointLoads):
         if obj is not None and not obj.isValid():
             raise fn.InvalidInput(obj.getStatusString())
         if obj is not None and "Touched" in obj.State:

@@ -3,7 +3,8 @@
 
 Properties are given by name. A value is a text with its unit ("500 mm", "30 kg/m^2"), a FreeCAD quantity, or
 a plain number (of Python or numpy), which means mm for lengths, kg/m for MemberWeight, kg/m² for
-CoveringWeight, N/m² for Snow, N for AxialStiffness and N/mm² for CompressiveStrength and YoungsModulus.
+CoveringWeight, N/m² for Snow, N for AxialStiffness and Force and N/mm² for CompressiveStrength and
+YoungsModulus.
 
     from funicular.make import make_gridshell
 
@@ -21,9 +22,11 @@ from .features.covering import Covering
 from .features.feature import MARKER, reason
 from .features.gridshell import Gridshell
 from .features.net import Net
-from .features.support import WHERE_BY, Support
+from .features.node_choice import WHERE_BY
+from .features.point_load import PointLoad
+from .features.support import Support
 
-FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell, Support, Covering)}
+FEATURES = {feature.TYPE: feature for feature in (Net, Gridshell, Support, PointLoad, Covering)}
 
 
 def make_net(doc, source=None, **properties):
@@ -89,20 +92,34 @@ def make_support(doc, gridshell, **properties):
     leaves nodes to no support. Raises ValueError for what is no gridshell, a name that is no property of a
     Support, a value that it does not take; then the document is as before.
     """
+    return _make_on_nodes(doc, gridshell, Support, "Supports", "Make support", properties)
+
+
+def make_point_load(doc, gridshell, **properties):
+    """Add a PointLoad to a Gridshell and return it; doc.recompute() then finds its nodes and relaxes again.
+
+    properties: see PointLoad, such as Points=[(0.5, 0.5)], Force="2 kN", Direction=(0, 0, -1); Force is that
+    on each node, and Where follows from Elements, Points or Nodes. Raises ValueError as make_support does.
+    """
+    return _make_on_nodes(doc, gridshell, PointLoad, "PointLoads", "Make point load", properties)
+
+
+def _make_on_nodes(doc, gridshell, feature, link, title, properties):
+    """Add a Support or PointLoad to the Gridshell's list of them."""
     if getattr(gridshell, MARKER, "") != Gridshell.TYPE or gridshell.Document != doc:
         raise ValueError(
             f"gridshell is {getattr(gridshell, 'Label', gridshell)!r}, which is no Gridshell of {doc.Label}"
         )
-    _check_names(Support, properties)
+    _check_names(feature, properties)
     given = [where for name, where in WHERE_BY.items() if name in properties]
     if given and "Where" not in properties:
         properties = {"Where": given[0], **properties}
-    with _one_undo_step(doc, "Make support"):
-        obj = _add(doc, Support)
+    with _one_undo_step(doc, title):
+        obj = _add(doc, feature)
         _put_beside(obj, gridshell)
         obj.Net = gridshell.Net
-        _set(obj, Support, properties)
-        gridshell.Supports = [*gridshell.Supports, obj]
+        _set(obj, feature, properties)
+        setattr(gridshell, link, [*getattr(gridshell, link), obj])
         return obj
 
 
@@ -157,7 +174,12 @@ def attach_view_provider(obj):
         # FreeCAD puts a number where a view provider's proxy is missing.
         saved_without_window = isinstance(obj.ViewObject.Proxy, (int, type(None)))
         view_providers.attach_view_provider(obj)
-        if saved_without_window and any(getattr(user, MARKER, "") == Gridshell.TYPE for user in obj.InList):
+        is_net = getattr(obj, MARKER) == Net.TYPE
+        if (
+            saved_without_window
+            and is_net
+            and any(getattr(user, MARKER, "") == Gridshell.TYPE for user in obj.InList)
+        ):
             # Such a file says nothing of what is shown; the gridshell stands where its net lies.
             obj.Visibility = False
 
@@ -215,7 +237,7 @@ def _from_the_root(obj, subs):
 
 
 def _settable(feature):
-    links = ("Source", "Net", "Supports", "Gridshell")
+    links = ("Source", "Net", "Supports", "PointLoads", "Gridshell")
     return [each for each in feature.PROPERTIES if not each.mode and each.name not in links]
 
 

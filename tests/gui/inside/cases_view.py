@@ -238,12 +238,13 @@ def test_a_file_saved_without_a_window_gets_its_view_providers(document, tmp_pat
     script = tmp_path / "headless.py"
     script.write_text(
         "import os, FreeCAD as App, Part\n"
-        "from funicular.make import make_gridshell\n"
+        "from funicular.make import make_gridshell, make_point_load\n"
         "doc = App.newDocument('Headless')\n"
         "plane = doc.addObject('Part::Plane', 'Plane')\n"
         "plane.Length, plane.Width = 6000, 4000\n"
         "doc.recompute()\n"
-        "make_gridshell(doc, source=(plane, ['Face1']), StepU='500 mm', StepV='500 mm')\n"
+        "shell = make_gridshell(doc, source=(plane, ['Face1']), StepU='500 mm', StepV='500 mm')\n"
+        "make_point_load(doc, shell, Points=[(0.5, 0.5)])\n"
         "doc.recompute()\n"
         f"doc.saveAs({str(path)!r})\n"
         "os._exit(0)\n",
@@ -258,7 +259,12 @@ def test_a_file_saved_without_a_window_gets_its_view_providers(document, tmp_pat
         assert shell.Status == "converged"
         assert type(shell.ViewObject.Proxy).__name__ == "ViewProviderGridshell"
         assert type(shell.Net.ViewObject.Proxy).__name__ == "ViewProviderNet"
-        assert shell.ViewObject.claimChildren() == [shell.Net]
+        (load,) = shell.PointLoads
+        assert shell.ViewObject.claimChildren() == [shell.Net, load]
+        assert load.Visibility and load.ViewObject.DisplayMode == "Arrows"
+        switch = load.ViewObject.SwitchNode
+        assert switch.getChild(switch.whichChild.getValue()) == load.ViewObject.Proxy._arrows.root
+        assert load.ViewObject.Proxy._arrows.text and not shell.Net.Visibility
         assert len(shell.ViewObject.LineColorArray) == len(shell.MemberForces)
         assert legends(opened) == ["Funicular_legend_Gridshell"]
     finally:

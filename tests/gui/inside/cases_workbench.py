@@ -18,7 +18,16 @@ from window import (
     wait_until,
 )
 
-TITLES = ["Gridshell", "Flat sheet", "Support", "Covering", "Raise", "Take out", "What accuracy costs"]
+TITLES = [
+    "Gridshell",
+    "Flat sheet",
+    "Support",
+    "Point load",
+    "Covering",
+    "Raise",
+    "Take out",
+    "What accuracy costs",
+]
 
 
 def test_workbench_has_an_icon_a_toolbar_and_a_menu(workbench):

@@ -8,6 +8,7 @@ import funicular as fn
 
 from .feature import Feature, Property, amount, checked, reason
 from .net import edges_of, flat_panels, net_of, panels_of, to_vectors
+from .point_load import loads_of_gridshell
 from .progress import Progress
 from .result_words import complaint, sentence_of
 from .section import SECTION_PROPERTIES
@@ -67,6 +68,12 @@ class Gridshell(Feature):
         ),
         Property(
             "App::PropertyPressure", "Snow", "Weights", "Snow load on plan; 0 for none", 0.0, unit="N/m^2"
+        ),
+        Property(
+            "App::PropertyLinkList",
+            "PointLoads",
+            "Weights",
+            "Forces on single nodes, besides all weights",
         ),
         Property(
             "App::PropertyForce",
@@ -221,10 +228,12 @@ def scene_of(obj, net=None):
     stiffness = amount(obj, "AxialStiffness", "N")
     if stiffness == 0.0:
         raise fn.InvalidInput("AxialStiffness is 0 N: give a force greater than zero")
-    if not (member_weight or covering_weight or snow):
+    net = net_of(obj.Net) if net is None else net
+    point_loads = loads_of_gridshell(obj, net)
+    if not (member_weight or covering_weight or snow or point_loads):
         raise fn.InvalidInput(
             "MemberWeight, CoveringWeight and Snow are all zero: without a load no form "
-            "is found; give one of them"
+            "is found; give one of them, or a PointLoad"
         )
     effects = [fn.AxialStiffness(stiffness, compression_only=not obj.AllowTension)]
     if member_weight:
@@ -233,8 +242,7 @@ def scene_of(obj, net=None):
         effects.append(fn.CoveringWeight(covering_weight, share=obj.CoveringShare.lower()))
     if snow:
         effects.append(fn.Snow(snow))
-    net = net_of(obj.Net) if net is None else net
-    effects += _on_rims(obj.Net, covering_weight)
+    effects += _on_rims(obj.Net, covering_weight) + point_loads
     return fn.Scene(net, supports=supports_of_gridshell(obj, net), effects=effects)
 
 

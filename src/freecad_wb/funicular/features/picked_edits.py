@@ -12,7 +12,7 @@ import funicular as fn
 from .net import panels_of, places_of
 from .net_laying import lay
 from .source import read_source
-from .support import nodes_at
+from .node_choice import nodes_at
 
 
 def raised(shell, points, height):

@@ -5,8 +5,8 @@
     [variant.name for variant in variants_of(shell)]
     restore_variant(shell, "Low, on its corners"); doc.recompute()
 
-A variant holds the inputs of the Gridshell, of its Net and of its Supports as plain values, the numbers that
-variants are compared by, the form itself to be shown at once, and a picture if one was given.
+A variant holds the inputs of the Gridshell, of its Net, its Supports and its PointLoads as plain values, the
+numbers that variants are compared by, the form itself to be shown at once, and a picture if one was given.
 """
 
 import base64
@@ -34,7 +34,8 @@ class Variant:
     """A kept alternative.
 
     numbers: as funicular.form.numbers_of(), with compression_only. nodes: (n, 3) [m]. thumbnail: a PNG
-    picture, empty without one. inputs: {"Gridshell": {property: value}, "Net": …, "Supports": [{…}, …]}.
+    picture, empty without one. inputs: {"Gridshell": {property: value}, "Net": …, "Supports": [{…}, …],
+    "PointLoads": [{…}, …]}.
     source: [name, faces] of what its net lay on.
     """
 
@@ -136,27 +137,32 @@ def remove_variant(shell, name):
 
 
 def restore_variant(shell, name):
-    """Give a Gridshell, its Net and its Supports the inputs of a Variant; doc.recompute() finds its form.
+    """Give a Gridshell, its Net, Supports and PointLoads a Variant's inputs; doc.recompute() finds its form.
 
     Returns a list of sentences on what could not be restored. Raises InvalidInput for a name that there is
     not, before anything has changed.
     """
-    from ..make import make_support
+    from ..make import make_point_load, make_support
 
     variant = _find(shell, name)
     remarks = _set_inputs(shell, variant.inputs["Gridshell"])
     if shell.Net is not None:
         remarks += _restore_source(shell.Net, variant.source)
         remarks += _set_inputs(shell.Net, variant.inputs["Net"])
-    wanted, there = variant.inputs["Supports"], list(shell.Supports)
-    for inputs in wanted[len(there) :]:
-        there.append(make_support(shell.Document, shell))
-    shell.Supports = there[: len(wanted)]
-    for support in there[len(wanted) :]:
-        shell.Document.removeObject(support.Name)
-    for support, inputs in zip(shell.Supports, wanted):
-        remarks += _set_inputs(support, inputs)
+    for link, make in (("Supports", make_support), ("PointLoads", make_point_load)):
+        # One that was kept before there were point loads has none.
+        remarks += _restore_listed(shell, link, make, variant.inputs.get(link, []))
     return remarks
+
+
+def _restore_listed(shell, link, make, wanted):
+    """Make or remove objects of a list of a Gridshell until there are as many as wanted, and set those."""
+    there = list(getattr(shell, link))
+    there += [make(shell.Document, shell) for _ in wanted[len(there) :]]
+    setattr(shell, link, there[: len(wanted)])
+    for obj in there[len(wanted) :]:
+        shell.Document.removeObject(obj.Name)
+    return [remark for obj, inputs in zip(there, wanted) for remark in _set_inputs(obj, inputs)]
 
 
 def _find(shell, name):
@@ -186,7 +192,10 @@ def _inputs_of(shell):
     return {
         "Gridshell": _values_of(shell),
         "Net": _values_of(shell.Net) if shell.Net else {},
-        "Supports": [{**_values_of(support), "Label": support.Label} for support in shell.Supports],
+        **{
+            link: [{**_values_of(obj), "Label": obj.Label} for obj in getattr(shell, link)]
+            for link in ("Supports", "PointLoads")
+        },
     }
 
 

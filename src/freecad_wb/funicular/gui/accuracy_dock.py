@@ -334,7 +334,7 @@ class AccuracyDock(QtWidgets.QDockWidget):
             return obj.getGroupOfProperty(name) in GROUPS_OF_SCENE
         if obj == self._shell.Net:
             return name == "SourceNodes"
-        return obj in self._shell.Supports and name not in ("Label", "Visibility")
+        return obj in (*self._shell.Supports, *self._shell.PointLoads) and name not in ("Label", "Visibility")
 
     def slotDeletedObject(self, obj):
         if obj == self._shell:

@@ -8,6 +8,7 @@ import FreeCADGui
 
 from funicular.gui.edit_commands import RaiseCommand, TakeOutCommand
 from funicular.gui.icons import icon
+from funicular.gui.load_command import PointLoadCommand
 from funicular.gui.one_step import in_one_step
 from funicular.gui.picking import (
     WrongSelection,
@@ -157,7 +158,7 @@ class SupportCommand:
         return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
 
     def Activated(self):
-        from funicular.features.support import at_picks
+        from funicular.features.node_choice import at_picks
         from funicular.gui.task_panel import show_message
         from funicular.make import make_support
 
@@ -303,6 +304,7 @@ COMMANDS = {
         GridshellCommand,
         SheetCommand,
         SupportCommand,
+        PointLoadCommand,
         CoveringCommand,
         RaiseCommand,
         TakeOutCommand,

@@ -9,13 +9,16 @@ is computed once, by OK.
 import FreeCAD
 import FreeCADGui
 
+from funicular.features.gridshell import METRES
 from funicular.gui.drawing.net_drawing import NetDrawing
 from funicular.gui.effect_list import EffectList
 from funicular.gui.icons import icon
 from funicular.gui.inputs import SECTIONS
+from funicular.gui.load_command import where_selected
 from funicular.gui.live.colours_part import ColoursPart
 from funicular.gui.live.hover import Hover
 from funicular.gui.live.inputs_part import InputsPart
+from funicular.gui.live.loads_part import LoadsPart
 from funicular.gui.live.look_part import LookPart
 from funicular.gui.live.matching_part import MatchingPart
 from funicular.gui.live.motion_part import MotionPart
@@ -42,7 +45,7 @@ PAUSE_MS = 300
 QUIET_MS = 600
 
 # Sections that fold, as they come: what is changed most stands open.
-FOLDED_AT_FIRST = ("MoreOfTheNet", "View", "ColoursAndReadings", "Alternatives")
+FOLDED_AT_FIRST = ("MoreOfTheNet", "PointLoads", "View", "ColoursAndReadings", "Alternatives")
 
 
 def report(sentence):
@@ -250,6 +253,8 @@ class GridshellPanel:
         """(name, title, widget) of each other section."""
         self.supports = SupportsPart(self.session, self.pointer)
         yield "Supports", translate("Supports"), self.supports
+        self.loads = LoadsPart(self.session, self._where_picked, self._unreadable, self._edited)
+        yield "PointLoads", translate("Point loads"), self.loads
         self.look = LookPart(self.session)
         yield "View", translate("View"), self.look
         self.colours = ColoursPart(self.session, self._unreadable)
@@ -257,6 +262,17 @@ class GridshellPanel:
         yield "ColoursAndReadings", translate("Colours and readings"), self.colours
         self.variants = VariantsPart(self.session, picture_of_view(self._view), self._show_inputs)
         yield "Alternatives", translate("Alternatives"), self.variants
+
+    def _where_picked(self):
+        """The properties that say which nodes are picked, here or in FreeCAD. Raises WrongSelection where
+        none are."""
+        picks = self.supports.picks
+        if len(picks):
+            where = picks.where(self._shell.Net)
+            picks.clear()
+            return where
+        form = self.session.own_form
+        return where_selected(self._shell, None if form is None else form.nodes / METRES)
 
     def _view(self):
         """The 3D view of the document."""
@@ -266,6 +282,7 @@ class GridshellPanel:
         """Let the boxes show what the properties have become by other hands."""
         for column in self._columns:
             column.show_all()
+        self.loads.show_all()
 
     def _source_button(self):
         button = QtWidgets.QPushButton(translate("Use selected faces"))
@@ -370,7 +387,7 @@ class GridshellPanel:
         self.drawing.remove()
         self.price.stop()
         self.effects.stop()
-        for part in (*self._columns, self.motion, self.matching, self.variants):
+        for part in (*self._columns, self.motion, self.matching, self.variants, self.loads):
             part.leave()
         FreeCAD.removeDocumentObserver(self)
         document, self._document, self._shell = self._document, None, None

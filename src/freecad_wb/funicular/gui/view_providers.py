@@ -3,12 +3,15 @@
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 
 from funicular.features.form_of import form_of
+from funicular.features.net import positions_of
 from funicular.features.section import SECTION_PROPERTIES
 from funicular.gui import legend, solving
 from funicular.gui.colouring import NAMES as COLOURING
 from funicular.gui.colouring import Coloured, add_colouring, colouring_of, is_complete, migrate_colouring
+from funicular.gui.drawing.load_arrows import LONGEST, LoadArrows
 from funicular.gui.drawing.reaction_arrows import ReactionArrows
 from funicular.gui.drawing.look import NAMES as LOOK
 from funicular.gui.drawing.look import add_look, exaggeration_of, look_of
@@ -21,6 +24,7 @@ from funicular.gui.picking import clicked_object
 # FreeCAD's own line colours.
 COLOURING_DATA = ("TensionMembers", "SlackMembers", "Label", *(each.name for each in SECTION_PROPERTIES))
 LINE_WIDTH = 3.0
+MILLIMETRES = 1e3  # of a metre
 
 # Through a covering the members are seen.
 TRANSPARENCY = 30
@@ -101,6 +105,80 @@ class ViewProviderSupport(ViewProvider):
         vobj.PointColor = (0.75, 0.2, 0.1)
 
 
+class ViewProviderPointLoad(ViewProvider):
+    """Arrows whose tips are on the nodes that bear the load, as the relaxed gridshell stands."""
+
+    icon_name = "Funicular_PointLoad"
+    ARROWS = "Arrows"
+
+    _arrows = None
+    # Whether the panel of its gridshell says where they are.
+    is_led = False
+
+    def __init__(self, vobj):
+        super().__init__(vobj)
+        self._hang(vobj)
+        modes = vobj.getEnumerationsOfProperty("DisplayMode")
+        if self.ARROWS not in modes:
+            # FreeCAD asks the first proxy alone, and a file that was saved without a window has had none.
+            vobj.DisplayMode = [*modes, self.ARROWS]
+        vobj.DisplayMode = self.ARROWS
+
+    def attach(self, vobj):
+        super().attach(vobj)
+        self._hang(vobj)
+
+    def _hang(self, vobj):
+        if self._arrows is None:
+            self._arrows = LoadArrows()
+            vobj.addDisplayMode(self._arrows.root, self.ARROWS)
+
+    def getDisplayModes(self, vobj):
+        return [self.ARROWS]
+
+    def getDefaultDisplayMode(self):
+        return self.ARROWS
+
+    def setDisplayMode(self, mode):
+        return mode
+
+    def updateData(self, obj, prop):
+        if prop in ("LoadedNodes", "Force", "Direction"):
+            self.refresh(obj.ViewObject)
+
+    def refresh(self, vobj):
+        """Draw it on the last result of its gridshell; before there is one, on the net."""
+        load = vobj.Object
+        # Properties arrive one at a time while a file is restored.
+        is_complete = all(name in load.PropertiesList for name in ("LoadedNodes", "Force", "Direction"))
+        if self.is_led or not is_complete or load.Net is None:
+            return
+        shells = [user for user in load.InList if getattr(user, "FunicularType", "") == "Gridshell"]
+        beside = [load, *(each for shell in shells for each in shell.PointLoads)]
+        largest = max(each.Force.Value for each in beside)
+        for shell in shells:
+            form = form_of(shell, exaggeration_of(shell.ViewObject))
+            if form is not None and len(form.nodes) == load.Net.NodeCount:
+                self.show(form.drawn_nodes * MILLIMETRES, load.LoadedNodes, shell.Placement, largest)
+                return
+        self.show(positions_of(load.Net), load.LoadedNodes, FreeCAD.Placement(), largest)
+
+    def show(self, nodes, loaded, place, largest):
+        """Draw it on those of the nodes (n, 3) [mm] that are loaded.
+
+        place: Placement of the nodes. largest: of all forces that are shown beside it, in FreeCAD's own unit.
+        """
+        load = self.vobj.Object
+        loaded = np.asarray(loaded, dtype=int)
+        loaded = loaded[loaded < len(nodes)]
+        size = float(np.ptp(nodes, axis=0).max()) if len(loaded) else 0.0
+        length = LONGEST * size * load.Force.Value / largest if largest > 0.0 else 0.0
+        matrix = np.array(load.Placement.inverse().multiply(place).toMatrix().A).reshape(4, 4)
+        points = nodes[loaded] @ matrix[:3, :3].T + matrix[:3, 3]
+        direction = matrix[:3, :3] @ tuple(load.Direction)
+        self._arrows.show(points, direction, length, load.Force.UserString)
+
+
 class ViewProviderGridshell(ViewProvider):
     """A relaxed gridshell: members coloured by force, with a legend; a double click opens its panel."""
 
@@ -128,13 +206,15 @@ class ViewProviderGridshell(ViewProvider):
 
     def claimChildren(self):
         obj = self.vobj.Object
-        return [*([obj.Net] if obj.Net else []), *obj.Supports]
+        return [*([obj.Net] if obj.Net else []), *obj.Supports, *obj.PointLoads]
 
     def updateData(self, obj, prop):
         if prop in COLOURING_DATA:
             self.refresh(obj.ViewObject)
         if prop == "Placement" or (prop in COLOURING_DATA and self._panel is None):
             self.draw(obj.ViewObject)
+        if prop in ("Placement", "PointLoads"):
+            refresh_loads(obj)
 
     def onChanged(self, vobj, prop):
         of_colours = prop in COLOURING or prop in ("Visibility", "LineColor", "Exaggeration")
@@ -151,6 +231,7 @@ class ViewProviderGridshell(ViewProvider):
             self._panel.session.show_again()
             self.refresh_legend(vobj)
             return
+        refresh_loads(vobj.Object)
         form = form_of(vobj.Object, exaggeration_of(vobj))
         if form is None:
             self.coloured = self._form = None
@@ -275,6 +356,7 @@ VIEW_PROVIDERS = {
     "Net": ViewProviderNet,
     "Gridshell": ViewProviderGridshell,
     "Support": ViewProviderSupport,
+    "PointLoad": ViewProviderPointLoad,
     "Covering": ViewProviderCovering,
 }
 
@@ -285,6 +367,14 @@ def _show_unless_shared(child, obj):
         user != obj and getattr(user, "FunicularType", "") == obj.FunicularType for user in child.InList
     ):
         child.Visibility = True
+
+
+def refresh_loads(shell):
+    """Bring the arrows of a gridshell's loads to where it now is."""
+    for load in getattr(shell, "PointLoads", ()):
+        # While a file is restored, some have no proxy yet.
+        if isinstance(load.ViewObject.Proxy, ViewProviderPointLoad):
+            load.ViewObject.Proxy.refresh(load.ViewObject)
 
 
 def attach_view_provider(obj):

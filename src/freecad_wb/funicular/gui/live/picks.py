@@ -4,7 +4,7 @@
 import numpy as np
 
 from funicular.features.net import nodes_of_element
-from funicular.features.support import ELEMENTS, at_nodes
+from funicular.features.node_choice import ELEMENTS, at_nodes
 
 
 class Picks:

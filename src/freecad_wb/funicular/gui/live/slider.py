@@ -22,7 +22,10 @@ TIMES = 4.0
 STIFFNESS = (1.0, 1e4)  # of all loads: what is softer hardly stands, what is stiffer hardly stretches
 ACCURACY = (1e-7, 3e-3)  # of the size of the net
 
-WITH_SLIDERS = (*UP_TO, "AxialStiffness", "Accuracy")
+# Amounts that start at nothing, and reach to a part of all loads as they are first known.
+PART_OF_LOAD = {"Force": 0.1}
+
+WITH_SLIDERS = (*UP_TO, *PART_OF_LOAD, "AxialStiffness", "Accuracy")
 
 
 class AmountSlider(QtWidgets.QSlider):
@@ -45,7 +48,7 @@ class AmountSlider(QtWidgets.QSlider):
         self.setRange(0, STEPS)
         self.setMinimumWidth(48)
         self._name, self._session, self._on_change = name, session, on_change
-        self._unit, self._first = value.Unit, value.Value
+        self._unit, self._first, self._load = value.Unit, value.Value, 0.0
         self.show_amount(value.Value)
         self.valueChanged.connect(self._changed)
 
@@ -53,7 +56,7 @@ class AmountSlider(QtWidgets.QSlider):
         """Stand where `amount` is, in FreeCAD's own unit, without taking it for an edit."""
         blocked = self.blockSignals(True)
         low, high = self._range()
-        if self._name in UP_TO:
+        if low == 0.0:
             share = amount / high
         else:
             share = math.log(max(amount, low) / low) / math.log(high / low)
@@ -63,7 +66,7 @@ class AmountSlider(QtWidgets.QSlider):
     def _changed(self, step):
         low, high = self._range()
         share = step / STEPS
-        amount = share * high if self._name in UP_TO else low * (high / low) ** share
+        amount = share * high if low == 0.0 else low * (high / low) ** share
         # Two digits: a slider says no more.
         amount = float(f"{amount:.3g}")
         self._on_change(FreeCAD.Units.Quantity(amount, self._unit))
@@ -74,6 +77,10 @@ class AmountSlider(QtWidgets.QSlider):
             least, unit = UP_TO[self._name]
             return 0.0, max(FreeCAD.Units.Quantity(f"{least} {unit}").Value, TIMES * self._first)
         load, size = self._session.load_and_size
+        if self._name in PART_OF_LOAD:
+            # Once: what the slider sets is a load itself, and would move its own end.
+            self._load = self._load or load
+            return 0.0, max(1e3 * self._load * PART_OF_LOAD[self._name], TIMES * self._first) or 1.0
         low, high = (
             (1e3 * load * STIFFNESS[0], 1e3 * load * STIFFNESS[1])
             if self._name == "AxialStiffness"

@@ -8,7 +8,8 @@ from pivy import coin
 
 import funicular as fn
 from funicular.features.picked_edits import raised_of_net
-from funicular.features.support import FIXED, FREE, LINE, NODE_RECIPES, PLANE, at_nodes, held_by_each
+from funicular.features.node_choice import NODE_RECIPES, at_nodes
+from funicular.features.support import FIXED, FREE, LINE, PLANE, held_by_each
 from funicular.gui.drawing.mark_shapes import DOT, HOVER, RING
 from funicular.gui.drawing.on_screen import OnScreen
 from funicular.gui.drawing.support_marks import SupportMarks
