@@ -79,7 +79,7 @@ WORDS = {
     "peer",
     "version",
 }
-WORDS |= {"model", "reason", "sentence", "dispensable"}
+WORDS |= {"what", "model", "reason", "sentence", "dispensable"}
 UNITS = {"position_error": 1e3}  # millimetres a metre
 
 

@@ -10,16 +10,23 @@ NUMERIC += rules.sources(".py", under=rules.PACKAGE / "files")
 MESHES_AND_WIRES = "topology wording mesh_repair mesh_source crossings curves cycles wireframe"
 NUMERIC += [rules.PACKAGE / f"{name}.py" for name in MESHES_AND_WIRES.split()]
 PRICES = "accuracy accuracy_picture cheapest_settings discretisation effect_costs prediction prediction_cache"
-NUMERIC += [rules.PACKAGE / f"{name}.py" for name in ("panels", "form", "bars", "shadows", *PRICES.split())]
+NUMERIC += [
+    rules.PACKAGE / f"{name}.py"
+    for name in ("panels", "form", "bars", "shadows", "live", "pace", *PRICES.split())
+]
 SOLVER = {"equilibrium", "newton", "relaxation", "solve", "solver"}
 
 
+# What films the window needs one.
+OF_THE_WINDOW = ("InitGui.py", "film.py")
+
+
 def without_window():
-    """Python that must run where there is no window: all but gui/, InitGui.py and the tests."""
+    """Python that must run where there is no window: all but gui/, OF_THE_WINDOW and the tests."""
     places = ["src", "examples", "tools"]
     files = [path for place in places for path in rules.sources(".py", under=rules.ROOT / place)]
-    files += [path for path in rules.ROOT.glob("*.py") if path.name != "InitGui.py"]
-    return [path for path in files if GUI not in path.parents]
+    files += list(rules.ROOT.glob("*.py"))
+    return [path for path in files if GUI not in path.parents and path.name not in OF_THE_WINDOW]
 
 
 def broken(files, rule):
