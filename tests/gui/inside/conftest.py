@@ -10,6 +10,7 @@ import FreeCADGui as Gui
 import Part
 import pytest
 from window import (
+    QtGui,
     clear_report_view,
     close_panel,
     report_view,
@@ -28,6 +29,8 @@ def pictures():
 
 @pytest.fixture
 def workbench():
+    # The screen's own pointer stays out of the way of the mouse that cases move, and of its tooltips.
+    QtGui.QCursor.setPos(1, 1)
     Gui.activateWorkbench("FunicularWorkbench")
     settle()
     return Gui.activeWorkbench()

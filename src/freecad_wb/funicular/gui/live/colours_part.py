@@ -85,7 +85,7 @@ class ColoursPart(QtWidgets.QWidget):
         self._pause.stop()
         self._session.moved.disconnect(self._moved)
         self.section.leave()
-        self._session, self._vobj, self._unreadable, self._boxes = None, None, {}, {}
+        self._session, self._unreadable, self._boxes, self._labels = None, {}, {}, {}
 
     # As all columns of inputs
 

@@ -52,6 +52,8 @@ class Hover(QtCore.QObject):
         self._pointer.remove(self)
         self._session.moved.disconnect(self._follow)
         self._pointer.tip.say(self, "")
+        self._session, self._at = None, None
+        self.deleteLater()
         try:
             self._vobj.RootNode.removeChild(self._root)
         except (ReferenceError, RuntimeError):

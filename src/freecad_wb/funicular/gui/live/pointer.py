@@ -78,7 +78,7 @@ class Tip:
     """The tooltip at the mouse, which those who take part share: it says what each of them has to say."""
 
     def __init__(self):
-        self._said, self._shown = {}, ""
+        self._said, self._shown, self._place = {}, "", None
 
     def say(self, taker, words, at=None):
         """What one of them says from now on, "" for nothing. at: At of the mouse, to show it there."""
@@ -86,11 +86,13 @@ class Tip:
         if words:
             self._said[id(taker)] = words
         text = "\n".join(self._said.values())
-        if text and at is not None:
-            self._shown = text
-            QtWidgets.QToolTip.showText(at.on_global_screen, text)
-        elif not text:
+        if at is not None:
+            self._place = at.on_global_screen
+        if not text:
             self.clear()
+        elif self._place is not None:
+            self._shown = text
+            QtWidgets.QToolTip.showText(self._place, text)
 
     def clear(self):
         """Nothing is said; another's tooltip stays."""
