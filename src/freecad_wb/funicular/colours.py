@@ -9,6 +9,8 @@ still reads.
 import math
 from dataclasses import dataclass
 
+from .wording import force_unit, number
+
 
 @dataclass(frozen=True)
 class Ramps:
@@ -31,7 +33,11 @@ ON_SCREEN = Ramps(
     tension=((0.98, 0.62, 0.05), (0.94, 0.40, 0.00), (0.84, 0.18, 0.00)),
 )
 
-KILONEWTON = 1000.0
+# One ramp from most compression to most tension, after viridis: ever lighter, so that lightness alone tells.
+ONE_RAMP = Ramps(
+    compression=((0.12, 0.63, 0.53), (0.15, 0.53, 0.56), (0.19, 0.45, 0.58), (0.23, 0.40, 0.60)),
+    tension=((0.62, 0.74, 0.12), (0.78, 0.70, 0.10), (0.90, 0.69, 0.05)),
+)
 
 
 def ramp_colour(ramp, share):
@@ -78,18 +84,22 @@ class ForceScale:
 
     @property
     def unit(self):
-        """Kilonewtons, written "kN", once the largest force reaches one; else "N"."""
-        return "kN" if max(self.largest_compression, self.largest_tension) >= KILONEWTON else "N"
+        """That of the largest force: as forces are written in sentences."""
+        return self._unit[0]
+
+    @property
+    def _unit(self):
+        return force_unit(max(self.largest_compression, self.largest_tension))
 
     def text(self, force):
         """A force in N as the legend writes it: three significant digits in the legend's unit, with a true
         minus."""
-        value = force / KILONEWTON if self.unit == "kN" else force
+        value = force / self._unit[1]
         if value == 0.0:
             return "0"
         magnitude = abs(value)
         decimals = 0 if magnitude >= 100.0 else 1 if magnitude >= 10.0 else 2
-        digits = f"{magnitude:.{decimals}f}" if magnitude >= 0.01 else f"{magnitude:.1e}"
+        digits = number(magnitude, f".{decimals}f" if magnitude >= 0.01 else ".1e")
         return ("\u2212" if value < 0.0 else "") + digits
 
     def marks(self, count=5):

@@ -8,7 +8,8 @@ nothing has to be kept in step with views that come and go.
 import FreeCADGui
 from pivy import coin
 
-from funicular.colours import ON_SCREEN, ForceScale
+from funicular.colours import ForceScale
+from funicular.gui import preferences
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
 
 NODE_PREFIX = "Funicular_legend_"
@@ -29,7 +30,7 @@ MEMBER_FORCE = QT_TRANSLATE_NOOP("Funicular", "Member force")
 
 def scale_of(obj):
     """The colours of a gridshell's members in the 3D view, and the forces that they stand for."""
-    return ForceScale(obj.MemberForces, obj.TensionMembers, ON_SCREEN)
+    return ForceScale(obj.MemberForces, obj.TensionMembers, preferences.ramps())
 
 
 def show(obj):

@@ -4,6 +4,7 @@
 import FreeCAD
 
 from funicular.features.gridshell import METRES
+from funicular.wording import number
 
 
 def length_in_words(metres):
@@ -11,4 +12,4 @@ def length_in_words(metres):
     length = FreeCAD.Units.Quantity(metres / METRES, FreeCAD.Units.Length)
     _, size, unit = length.getUserPreferred()
     value = length.Value / size
-    return f"{value:.0f} {unit}" if abs(value) >= 999.5 else f"{value:.3g} {unit}"
+    return number(value, ".0f" if abs(value) >= 999.5 else ".3g") + f" {unit}"

@@ -5,7 +5,7 @@ import FreeCAD
 import numpy as np
 from pivy import coin
 
-from funicular.colours import ON_SCREEN
+from funicular.gui import preferences
 from funicular.gui.drawing.ground import Ground
 from funicular.gui.drawing.highlight import Highlight
 from funicular.gui.drawing.look import look_of
@@ -187,7 +187,7 @@ def packed(colours, count):
 
 def _packed(form):
     """(m,) colours 0xRRGGBBAA of the members by their force."""
-    ramp = np.array(ON_SCREEN.compression)
+    ramp = np.array(preferences.ramps().compression)
     largest = max(-form.member_forces.min(initial=0.0), 1e-300)
     place = np.clip(-form.member_forces / largest, 0.0, 1.0) * (len(ramp) - 1)
     low = np.minimum(place.astype(int), len(ramp) - 2)
