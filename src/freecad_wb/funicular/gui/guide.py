@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The guide of this addon in a window of its own: docs/guide.md with its pictures, read from where it lies."""
+"""The guide of this addon in a window of its own: docs/guide.md and its pictures, from where they lie."""
 
 import os
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a user has set on the page Funicular of FreeCAD's preferences, and what holds where nothing was set.
 
-They are asked for each time, so that they count as soon as the page is closed. Resources/ui/preferences.ui writes
-them by these names.
+They are asked for each time, so that they count as soon as the page is closed. Resources/ui/preferences.ui
+writes them by these names.
 """
 
 import os

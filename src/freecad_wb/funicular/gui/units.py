@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Units that a panel writes where FreeCAD's own boxes write none that anyone reckons in.
 
-FreeCAD's unit schemas know no kg/m and kg/m²: its box shows 30 kg/m² as "0.00 kg/mm^2" and rounds it to that. Snow
-it shows as "0.00 Pa", and a force, in each schema for buildings and in all imperial ones, in mm·kg/s².
+FreeCAD's unit schemas know no kg/m and kg/m²: its box shows 30 kg/m² as "0.00 kg/mm^2" and rounds it to that.
+Snow it shows as "0.00 Pa", and a force, in each schema for buildings and in all imperial ones, in mm·kg/s².
 """
 
 import FreeCAD
