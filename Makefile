@@ -67,6 +67,9 @@ lint: configure ## clang-format, clang-tidy, black, flake8: changes nothing
 format: setup ## let clang-format and black rewrite the sources
 	@tools/format.sh
 
+translations: build ## bring Resources/translations up to what a user can read; NEW=fr begins French
+	@$(FREECAD) tools/translations.py $(NEW)
+
 ##@ Measuring
 # BENCH_QUICK=1 stops at 10⁴ nodes and leaves out the relaxation: minutes instead of half an hour.
 # BENCH_FILTER is a regular expression: 'cold/S/', 'factor', 'forces|tangent'; then nothing but the core is timed, and
@@ -136,5 +139,5 @@ soak: build ## random scenes and mesh files for SOAK_SECONDS (600): new ones eve
 clean: ## remove build/ and the compiled module
 	rm -rf build src/freecad_wb/funicular/_core*.so
 
-.PHONY: help demo gallery accuracy gui install setup configure build lint format bench bench-peers test test-core test-sanitize test-house \
+.PHONY: help demo gallery accuracy gui install setup configure build lint format translations bench bench-peers test test-core test-sanitize test-house \
 	test-python test-freecad test-gui soak clean

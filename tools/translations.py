@@ -4,8 +4,8 @@
     freecad_run.py translations.py          all languages that are there
     freecad_run.py translations.py fr       begin French
 
-Qt's own lupdate knows neither our translate(text), whose context is the same everywhere, nor the documentation
-of properties, which stands in tables: sources are read by `ast`, and tables by importing them, which takes
+Qt's own lupdate knows neither our translate(text), whose context is the same everywhere, nor what properties
+say of themselves in tables: sources are read by `ast`, and tables by importing them, which takes
 FreeCAD. Translations that are there stay; what is new is unfinished, what is gone is marked as vanished. Qt's
 Linguist opens the files.
 """
@@ -108,7 +108,7 @@ def texts_of_tables():
 
 
 class Translations:
-    """The translations of one .ts file: messages is {(context, text): translation}, "" where there is none."""
+    """The translations of one .ts file. messages: {(context, text): translation}, "" where there is none."""
 
     def __init__(self, path):
         self.path, self.language = path, path.stem.partition("_")[2]

@@ -6,1445 +6,1446 @@
         <name>App::Property</name>
         <message>
             <source>(u, v) of each node that is on no lattice</source>
-            <translation type="unfinished" />
+            <translation>(u, v) di ogni nodo che non sta su una griglia</translation>
         </message>
         <message>
             <source>(u, v) of the face between 0 and 1 (z is not used): the node nearest to each</source>
-            <translation type="unfinished" />
+            <translation>(u, v) della faccia tra 0 e 1 (z non conta): il nodo più vicino a ciascuno</translation>
         </message>
         <message>
             <source>(u, v) of the face, between 0 and 1, that a net of equal lengths grows from</source>
-            <translation type="unfinished" />
+            <translation>(u, v) della faccia, tra 0 e 1, da cui cresce un reticolo di aste uguali</translation>
         </message>
         <message>
             <source>(u, v) on the face: the nearest member is taken out, and the panels beside it are one</source>
-            <translation type="unfinished" />
+            <translation>(u, v) sulla faccia: l'asta più vicina è tolta e i pannelli accanto diventano uno</translation>
         </message>
         <message>
             <source>(u, v) on the face: the nearest panel becomes an opening</source>
-            <translation type="unfinished" />
+            <translation>(u, v) sulla faccia: il pannello più vicino diventa un'apertura</translation>
         </message>
         <message>
             <source>(u, v, height in mm): the node nearest to (u, v) on the face is raised, or lowered</source>
-            <translation type="unfinished" />
+            <translation>(u, v, altezza in mm): il nodo più vicino a (u, v) sulla faccia è alzato o abbassato</translation>
         </message>
         <message>
             <source>A mesh file (obj, ply, stl, off) that is taken as it is, where there is no source</source>
-            <translation type="unfinished" />
+            <translation>Un file di mesh (obj, ply, stl, off) preso com'è, dove non c'è una sorgente</translation>
         </message>
         <message>
             <source>Along the isolines of the face, or with a compass, so that all members have the length of StepU</source>
-            <translation type="unfinished" />
+            <translation>Lungo le isolinee della faccia, oppure col compasso, così che tutte le aste abbiano la lunghezza StepU</translation>
         </message>
         <message>
             <source>Area of each opening on the source [mm²]</source>
-            <translation type="unfinished" />
+            <translation>Area di ogni apertura sulla sorgente [mm²]</translation>
         </message>
         <message>
             <source>Area that the covering's weight counts: of triangles about the mean of each panel's corners</source>
-            <translation type="unfinished" />
+            <translation>Area che conta per il peso della copertura: dei triangoli attorno al centro dei vertici di ogni pannello</translation>
         </message>
         <message>
             <source>Between members at the start</source>
-            <translation type="unfinished" />
+            <translation>Tra le aste all'inizio</translation>
         </message>
         <message>
             <source>By how many cells the pattern is shifted along u</source>
-            <translation type="unfinished" />
+            <translation>Di quante celle il motivo è spostato lungo u</translation>
         </message>
         <message>
             <source>By how many cells the pattern is shifted along v</source>
-            <translation type="unfinished" />
+            <translation>Di quante celle il motivo è spostato lungo v</translation>
         </message>
         <message>
             <source>By how much each of RaisedNodes is raised [mm]</source>
-            <translation type="unfinished" />
+            <translation>Di quanto è alzato ciascuno dei RaisedNodes [mm]</translation>
         </message>
         <message>
             <source>By which the pattern is turned on the face</source>
-            <translation type="unfinished" />
+            <translation>Di cui il motivo è ruotato sulla faccia</translation>
         </message>
         <message>
             <source>Cells along u, in place of StepU; 0 for none</source>
-            <translation type="unfinished" />
+            <translation>Celle lungo u, al posto di StepU; 0 per nessuna</translation>
         </message>
         <message>
             <source>Cells along v, in place of StepV; 0 for none</source>
-            <translation type="unfinished" />
+            <translation>Celle lungo v, al posto di StepV; 0 per nessuna</translation>
         </message>
         <message>
             <source>Colour each member by its force</source>
-            <translation type="unfinished" />
+            <translation>Colorare ogni asta secondo la sua forza</translation>
         </message>
         <message>
             <source>Curved edges are divided into parts no longer than this; 0 for one member each</source>
-            <translation type="unfinished" />
+            <translation>Gli spigoli curvi sono divisi in parti non più lunghe di questo; 0 per una sola asta ciascuno</translation>
         </message>
         <message>
             <source>EA of the members, the force that would double their length: the lower, the higher the shell</source>
-            <translation type="unfinished" />
+            <translation>EA delle aste, la forza che ne raddoppierebbe la lunghezza: più è bassa, più alta è la gridshell</translation>
         </message>
         <message>
             <source>Edges and vertices of the net's source, such as Edge3 or Vertex1: every node on them</source>
-            <translation type="unfinished" />
+            <translation>Spigoli e vertici della sorgente del reticolo, come Edge3 o Vertex1: ogni nodo su di essi</translation>
         </message>
         <message>
             <source>Edges and vertices of the source that hold nodes</source>
-            <translation type="unfinished" />
+            <translation>Spigoli e vertici della sorgente su cui stanno nodi</translation>
         </message>
         <message>
             <source>Faces: plane where a panel is plane, ruled on warped quads, triangles on other warped panels; Ruled faces: ruled on every quad; Triangles: between edges and the mean of the corners</source>
-            <translation type="unfinished" />
+            <translation>Faces: piane dove il pannello è piano, rigate sui quadrilateri svergolati, triangoli sugli altri pannelli svergolati; Ruled faces: rigate su ogni quadrilatero; Triangles: tra i lati e il centro dei vertici</translation>
         </message>
         <message>
             <source>Force for each length that the support yields; 0 for one that does not</source>
-            <translation type="unfinished" />
+            <translation>Forza per ogni lunghezza di cui il vincolo cede; 0 per uno che non cede</translation>
         </message>
         <message>
             <source>Force in each member [N], compression negative</source>
-            <translation type="unfinished" />
+            <translation>Forza in ogni asta [N], compressione negativa</translation>
         </message>
         <message>
             <source>Give up after this time; 0 for never</source>
-            <translation type="unfinished" />
+            <translation>Rinunciare dopo questo tempo; 0 per mai</translation>
         </message>
         <message>
             <source>How a panel's weight goes to its corners: by their angles, equally, by the area nearest to each</source>
-            <translation type="unfinished" />
+            <translation>Come il peso di un pannello va ai suoi vertici: secondo gli angoli, in parti uguali, secondo l'area più vicina a ciascuno</translation>
         </message>
         <message>
             <source>How far a corner may lie from the best plane of a panel that counts as plane</source>
-            <translation type="unfinished" />
+            <translation>Quanto un vertice può distare dal piano medio di un pannello che conta come piano</translation>
         </message>
         <message>
             <source>How far from equilibrium the nodes may lie</source>
-            <translation type="unfinished" />
+            <translation>Quanto i nodi possono distare dall'equilibrio</translation>
         </message>
         <message>
             <source>How far the angle between members may be from a right one; there the net ends</source>
-            <translation type="unfinished" />
+            <translation>Quanto l'angolo tra le aste può scostarsi da quello retto; lì il reticolo finisce</translation>
         </message>
         <message>
             <source>How far the nodes still are from equilibrium</source>
-            <translation type="unfinished" />
+            <translation>Quanto i nodi distano ancora dall'equilibrio</translation>
         </message>
         <message>
             <source>How members are laid on the face</source>
-            <translation type="unfinished" />
+            <translation>Come le aste stanno sulla faccia</translation>
         </message>
         <message>
             <source>How nodes are held; Free takes them from the other supports</source>
-            <translation type="unfinished" />
+            <translation>Come sono tenuti i nodi; Free li toglie agli altri vincoli</translation>
         </message>
         <message>
             <source>How the last recompute ended: converged; failed; or the limit that the solver met</source>
-            <translation type="unfinished" />
+            <translation>Come è finito l'ultimo ricalcolo: converged; failed; o il limite incontrato dal solutore</translation>
         </message>
         <message>
             <source>Iterations of the solver</source>
-            <translation type="unfinished" />
+            <translation>Iterazioni del solutore</translation>
         </message>
         <message>
             <source>Largest distance of a corner from its best plane</source>
-            <translation type="unfinished" />
+            <translation>Massima distanza di un vertice dal suo piano medio</translation>
         </message>
         <message>
             <source>Largest tension in a member</source>
-            <translation type="unfinished" />
+            <translation>Massima trazione in un'asta</translation>
         </message>
         <message>
             <source>Largest unbalanced force at a node, in mean nodal loads</source>
-            <translation type="unfinished" />
+            <translation>Massima forza non equilibrata in un nodo, in carichi nodali medi</translation>
         </message>
         <message>
             <source>Lay the pattern over the mesh of File by its UV coordinates, instead of taking its own edges</source>
-            <translation type="unfinished" />
+            <translation>Stendere il motivo sulla mesh del file con le sue coordinate UV, invece di prenderne gli spigoli</translation>
         </message>
         <message>
             <source>Length of members along u, measured on the face</source>
-            <translation type="unfinished" />
+            <translation>Lunghezza delle aste lungo u, misurata sulla faccia</translation>
         </message>
         <message>
             <source>Length of members along v, measured on the face</source>
-            <translation type="unfinished" />
+            <translation>Lunghezza delle aste lungo v, misurata sulla faccia</translation>
         </message>
         <message>
             <source>Let members carry tension too; otherwise those that would go slack</source>
-            <translation type="unfinished" />
+            <translation>Le aste possono portare anche trazione; altrimenti quelle tese restano scariche</translation>
         </message>
         <message>
             <source>Members in tension, counted from 0</source>
-            <translation type="unfinished" />
+            <translation>Aste in trazione, contate da 0</translation>
         </message>
         <message>
             <source>Members that are taken out, by number</source>
-            <translation type="unfinished" />
+            <translation>Aste tolte, per numero</translation>
         </message>
         <message>
             <source>Members without force: they can be left out</source>
-            <translation type="unfinished" />
+            <translation>Aste senza forza: si possono togliere</translation>
         </message>
         <message>
             <source>Newton is fast; relaxation is the method of Brivio et al. (2009); auto chooses</source>
-            <translation type="unfinished" />
+            <translation>Newton è veloce; Relaxation è il metodo di Brivio et al. (2009); Auto sceglie</translation>
         </message>
         <message>
             <source>No member is in tension: recomputed from the result</source>
-            <translation type="unfinished" />
+            <translation>Nessuna asta è in trazione: ricalcolato dal risultato</translation>
         </message>
         <message>
             <source>Nodes on the face, in the numbering of the net</source>
-            <translation type="unfinished" />
+            <translation>Nodi sulla faccia, nella numerazione del reticolo</translation>
         </message>
         <message>
             <source>Normal of the plane, or direction of the line</source>
-            <translation type="unfinished" />
+            <translation>Normale del piano, o direzione della linea</translation>
         </message>
         <message>
             <source>Number of cells along u</source>
-            <translation type="unfinished" />
+            <translation>Numero di celle lungo u</translation>
         </message>
         <message>
             <source>Number of cells along v</source>
-            <translation type="unfinished" />
+            <translation>Numero di celle lungo v</translation>
         </message>
         <message>
             <source>Number of members</source>
-            <translation type="unfinished" />
+            <translation>Numero di aste</translation>
         </message>
         <message>
             <source>Number of nodes</source>
-            <translation type="unfinished" />
+            <translation>Numero di nodi</translation>
         </message>
         <message>
             <source>Number of panels</source>
-            <translation type="unfinished" />
+            <translation>Numero di pannelli</translation>
         </message>
         <message>
             <source>Number of panels that are plane</source>
-            <translation type="unfinished" />
+            <translation>Numero di pannelli piani</translation>
         </message>
         <message>
             <source>Numbers of nodes before edits, for a net that keeps them</source>
-            <translation type="unfinished" />
+            <translation>Numeri di nodi prima delle modifiche, per un reticolo che li conserva</translation>
         </message>
         <message>
             <source>Numbers of nodes, for nets that keep them</source>
-            <translation type="unfinished" />
+            <translation>Numeri di nodi, per reticoli che li conservano</translation>
         </message>
         <message>
             <source>Of a flat sheet, where there is no source</source>
-            <translation type="unfinished" />
+            <translation>Di un foglio piano, dove non c'è una sorgente</translation>
         </message>
         <message>
             <source>Of each border of a hole how many nodes, then these</source>
-            <translation type="unfinished" />
+            <translation>Di ogni bordo di un foro quanti nodi, poi questi</translation>
         </message>
         <message>
             <source>Of each how many nodes, then their numbers</source>
-            <translation type="unfinished" />
+            <translation>Di ciascuno quanti nodi, poi i loro numeri</translation>
         </message>
         <message>
             <source>Of each opening how many nodes, then their numbers</source>
-            <translation type="unfinished" />
+            <translation>Di ogni apertura quanti nodi, poi i loro numeri</translation>
         </message>
         <message>
             <source>Of each panel how many nodes, then their numbers</source>
-            <translation type="unfinished" />
+            <translation>Di ogni pannello quanti nodi, poi i loro numeri</translation>
         </message>
         <message>
             <source>Panels that are not plane, counted from 0</source>
-            <translation type="unfinished" />
+            <translation>Pannelli non piani, contati da 0</translation>
         </message>
         <message>
             <source>Panels that become openings, by number</source>
-            <translation type="unfinished" />
+            <translation>Pannelli che diventano aperture, per numero</translation>
         </message>
         <message>
             <source>Reaction at each node [N], before Placement; zero where unsupported</source>
-            <translation type="unfinished" />
+            <translation>Reazione a ogni nodo [N], prima del posizionamento; zero dove non c'è vincolo</translation>
         </message>
         <message>
             <source>Relaxed position of each node [mm], before Placement</source>
-            <translation type="unfinished" />
+            <translation>Posizione di ogni nodo in equilibrio [mm], prima del posizionamento</translation>
         </message>
         <message>
             <source>Root mean square of the members' relative difference from their lengths on the source</source>
-            <translation type="unfinished" />
+            <translation>Scarto quadratico medio relativo delle aste dalle loro lunghezze sulla sorgente</translation>
         </message>
         <message>
             <source>Rounds that bring the members back to their lengths on the source; 0 for none</source>
-            <translation type="unfinished" />
+            <translation>Cicli che riportano le aste alle loro lunghezze sulla sorgente; 0 per nessuno</translation>
         </message>
         <message>
             <source>Show what force each colour stands for</source>
-            <translation type="unfinished" />
+            <translation>Mostrare quale forza significa ogni colore</translation>
         </message>
         <message>
             <source>Sides of the face that are one point</source>
-            <translation type="unfinished" />
+            <translation>Lati della faccia che sono un punto</translation>
         </message>
         <message>
             <source>Snow load on plan; 0 for none</source>
-            <translation type="unfinished" />
+            <translation>Carico di neve in pianta; 0 per nessuno</translation>
         </message>
         <message>
             <source>Sum of all loads, downwards</source>
-            <translation type="unfinished" />
+            <translation>Somma di tutti i carichi, verso il basso</translation>
         </message>
         <message>
             <source>Sum of all reactions, upwards</source>
-            <translation type="unfinished" />
+            <translation>Somma di tutte le reazioni, verso l'alto</translation>
         </message>
         <message>
             <source>Supports of their own, besides those of the recipe</source>
-            <translation type="unfinished" />
+            <translation>Vincoli propri, oltre a quelli dello schema</translation>
         </message>
         <message>
             <source>The face or faces that the net lies on</source>
-            <translation type="unfinished" />
+            <translation>La faccia o le facce su cui sta il reticolo</translation>
         </message>
         <message>
             <source>The gridshell whose panels these are</source>
-            <translation type="unfinished" />
+            <translation>La gridshell di cui questi sono i pannelli</translation>
         </message>
         <message>
             <source>The last cell along u joins the first</source>
-            <translation type="unfinished" />
+            <translation>L'ultima cella lungo u si unisce alla prima</translation>
         </message>
         <message>
             <source>The last cell along v joins the first</source>
-            <translation type="unfinished" />
+            <translation>L'ultima cella lungo v si unisce alla prima</translation>
         </message>
         <message>
             <source>The method that found the result</source>
-            <translation type="unfinished" />
+            <translation>Il metodo che ha trovato il risultato</translation>
         </message>
         <message>
             <source>The net that is relaxed; several gridshells may share one</source>
-            <translation type="unfinished" />
+            <translation>Il reticolo di cui si trova la forma; più gridshell possono condividerne uno</translation>
         </message>
         <message>
             <source>The net whose nodes are held</source>
-            <translation type="unfinished" />
+            <translation>Il reticolo di cui sono tenuti i nodi</translation>
         </message>
         <message>
             <source>The nodes around each panel: of each panel how many, then their numbers</source>
-            <translation type="unfinished" />
+            <translation>I nodi attorno a ogni pannello: di ogni pannello quanti, poi i loro numeri</translation>
         </message>
         <message>
             <source>The nodes of each member: two numbers a member, counted from 0</source>
-            <translation type="unfinished" />
+            <translation>I nodi di ogni asta: due numeri per asta, contati da 0</translation>
         </message>
         <message>
             <source>The pattern that the nodes were laid in</source>
-            <translation type="unfinished" />
+            <translation>Il motivo in cui i nodi sono stati stesi</translation>
         </message>
         <message>
             <source>The result in a sentence</source>
-            <translation type="unfinished" />
+            <translation>Il risultato in una frase</translation>
         </message>
         <message>
             <source>Time in the solver</source>
-            <translation type="unfinished" />
+            <translation>Tempo nel solutore</translation>
         </message>
         <message>
             <source>Turn the pattern: what ran along u runs along v</source>
-            <translation type="unfinished" />
+            <translation>Ruotare il motivo: ciò che correva lungo u corre lungo v</translation>
         </message>
         <message>
             <source>Two nodes a member; empty for a lattice</source>
-            <translation type="unfinished" />
+            <translation>Due nodi per asta; vuoto per una griglia</translation>
         </message>
         <message>
             <source>Unit of the lengths in File</source>
-            <translation type="unfinished" />
+            <translation>Unità delle lunghezze in File</translation>
         </message>
         <message>
             <source>Version of the set of properties of this object</source>
-            <translation type="unfinished" />
+            <translation>Versione delle proprietà di questo oggetto</translation>
         </message>
         <message>
             <source>Vertices of a mesh as near as this are one node; 0 for 1e-6 of its size</source>
-            <translation type="unfinished" />
+            <translation>I vertici di una mesh vicini così sono un nodo; 0 per 1e-6 della sua dimensione</translation>
         </message>
         <message>
             <source>Weight of the covering per area; 0 for none</source>
-            <translation type="unfinished" />
+            <translation>Peso della copertura per area; 0 per nessuno</translation>
         </message>
         <message>
             <source>Weight of the members per length; 0 for none</source>
-            <translation type="unfinished" />
+            <translation>Peso delle aste per lunghezza; 0 per nessuno</translation>
         </message>
         <message>
             <source>What came out otherwise</source>
-            <translation type="unfinished" />
+            <translation>Che cosa è risultato diverso dal richiesto</translation>
         </message>
         <message>
             <source>What each of SourceElements is</source>
-            <translation type="unfinished" />
+            <translation>Che cosa è ciascuno dei SourceElements</translation>
         </message>
         <message>
             <source>What is equal from cell to cell: the length on the face, or the surface's parameters</source>
-            <translation type="unfinished" />
+            <translation>Che cosa è uguale da cella a cella: la lunghezza sulla faccia, o i parametri della superficie</translation>
         </message>
         <message>
             <source>What the elements were when they were picked</source>
-            <translation type="unfinished" />
+            <translation>Che cosa erano gli elementi quando furono scelti</translation>
         </message>
         <message>
             <source>What the face belonged to when it was picked</source>
-            <translation type="unfinished" />
+            <translation>A che cosa apparteneva la faccia quando fu scelta</translation>
         </message>
         <message>
             <source>What this object is to Funicular</source>
-            <translation type="unfinished" />
+            <translation>Che cosa è questo oggetto per Funicular</translation>
         </message>
         <message>
             <source>What was found</source>
-            <translation type="unfinished" />
+            <translation>Che cosa è stato trovato</translation>
         </message>
         <message>
             <source>What was kept of this gridshell under a name, see funicular.features.variants</source>
-            <translation type="unfinished" />
+            <translation>Che cosa di questa gridshell è stato conservato con un nome, vedi funicular.features.variants</translation>
         </message>
         <message>
             <source>Where the shell stands</source>
-            <translation type="unfinished" />
+            <translation>Dove sta la gridshell</translation>
         </message>
         <message>
             <source>Whether that was turned</source>
-            <translation type="unfinished" />
+            <translation>Se era ruotato</translation>
         </message>
         <message>
             <source>Which node each was before edits; empty if the same</source>
-            <translation type="unfinished" />
+            <translation>Quale nodo era ciascuno prima delle modifiche; vuoto se lo stesso</translation>
         </message>
         <message>
             <source>Which nodes are held</source>
-            <translation type="unfinished" />
+            <translation>Quali nodi sono tenuti</translation>
         </message>
     </context>
     <context>
         <name>Funicular</name>
         <message>
             <source>(The last good shape stays.)</source>
-            <translation type="unfinished" />
+            <translation>(Resta l'ultima forma valida.)</translation>
         </message>
         <message>
             <source>, with EA and weight of members times {}</source>
-            <translation type="unfinished" />
+            <translation>, con EA e peso delle aste per {}</translation>
         </message>
         <message>
             <source>, {} slack</source>
-            <translation type="unfinished" />
+            <translation>, {} scariche</translation>
         </message>
         <message>
             <source>. Select another face and press “Use selected faces”.</source>
-            <translation type="unfinished" />
+            <translation>. Scegliere un'altra faccia e premere «Usa le facce scelte».</translation>
         </message>
         <message>
             <source>Accuracy</source>
-            <translation type="unfinished" />
+            <translation>Precisione</translation>
         </message>
         <message>
             <source>Allow tension</source>
-            <translation type="unfinished" />
+            <translation>Consenti trazione</translation>
         </message>
         <message>
             <source>Along isolines</source>
-            <translation type="unfinished" />
+            <translation>Lungo le isolinee</translation>
         </message>
         <message>
             <source>Alternating</source>
-            <translation type="unfinished" />
+            <translation>Alternato</translation>
         </message>
         <message>
             <source>Alternatives</source>
-            <translation type="unfinished" />
+            <translation>Alternative</translation>
         </message>
         <message>
             <source>Angle</source>
-            <translation type="unfinished" />
+            <translation>Angolo</translation>
         </message>
         <message>
             <source>Another command ended the panel of {}. What was entered in it is an undo step.</source>
-            <translation type="unfinished" />
+            <translation>Un altro comando ha chiuso il pannello di {}. Ciò che vi era stato inserito si può annullare in un passo.</translation>
         </message>
         <message>
             <source>Another command ended the panel of {}. What was entered in it was taken back.</source>
-            <translation type="unfinished" />
+            <translation>Un altro comando ha chiuso il pannello di {}. Ciò che vi era stato inserito è stato annullato.</translation>
         </message>
         <message>
             <source>Another dialog is open in the task panel. Close it, then edit the gridshell.</source>
-            <translation type="unfinished" />
+            <translation>Nel pannello azioni è aperto un altro dialogo. Chiuderlo, poi modificare la gridshell.</translation>
         </message>
         <message>
             <source>Auto</source>
-            <translation type="unfinished" />
+            <translation>Auto</translation>
         </message>
         <message>
             <source>Back to {}</source>
-            <translation type="unfinished" />
+            <translation>Torna a {}</translation>
         </message>
         <message>
             <source>Begin again from the net as it lies on its source</source>
-            <translation type="unfinished" />
+            <translation>Ricominciare dal reticolo come sta sulla sorgente</translation>
         </message>
         <message>
             <source>Boundary</source>
-            <translation type="unfinished" />
+            <translation>Bordo</translation>
         </message>
         <message>
             <source>Brick</source>
-            <translation type="unfinished" />
+            <translation>Mattoni</translation>
         </message>
         <message>
             <source>But its panels have shrunk to {} % of their area, as where one point holds all: choose other supports</source>
-            <translation type="unfinished" />
+            <translation>Ma i pannelli si sono ridotti al {} % della loro area, come se un punto tenesse tutto: scegliere altri vincoli</translation>
         </message>
         <message>
             <source>Cancel</source>
-            <translation type="unfinished" />
+            <translation>Annulla</translation>
         </message>
         <message>
             <source>Cancelled; what was measured stays.</source>
-            <translation type="unfinished" />
+            <translation>Annullato; ciò che è stato misurato resta.</translation>
         </message>
         <message>
             <source>Cells along u</source>
-            <translation type="unfinished" />
+            <translation>Celle lungo u</translation>
         </message>
         <message>
             <source>Cells along v</source>
-            <translation type="unfinished" />
+            <translation>Celle lungo v</translation>
         </message>
         <message>
             <source>Centred</source>
-            <translation type="unfinished" />
+            <translation>Centrato</translation>
         </message>
         <message>
             <source>Choose one alternative, then restore it.</source>
-            <translation type="unfinished" />
+            <translation>Scegliere un'alternativa, poi ripristinarla.</translation>
         </message>
         <message>
             <source>Choose one to see it, two (with Ctrl) to compare them; F2 renames. Without a choice the present form is shown.</source>
-            <translation type="unfinished" />
+            <translation>Sceglierne una per vederla, due (con Ctrl) per confrontarle; F2 rinomina. Senza scelta si vede la forma attuale.</translation>
         </message>
         <message>
             <source>Click a point: the gridshell takes its accuracy and method.</source>
-            <translation type="unfinished" />
+            <translation>Fare clic su un punto: la gridshell ne prende precisione e metodo.</translation>
         </message>
         <message>
             <source>Close the panel that is open, then click the point again.</source>
-            <translation type="unfinished" />
+            <translation>Chiudere il pannello aperto, poi fare di nuovo clic sul punto.</translation>
         </message>
         <message>
             <source>Compression only</source>
-            <translation type="unfinished" />
+            <translation>Solo compressione</translation>
         </message>
         <message>
             <source>Compression only, at most {}</source>
-            <translation type="unfinished" />
+            <translation>Solo compressione, al massimo {}</translation>
         </message>
         <message>
             <source>Corners</source>
-            <translation type="unfinished" />
+            <translation>Angoli</translation>
         </message>
         <message>
             <source>Corners and border planes</source>
-            <translation type="unfinished" />
+            <translation>Angoli e piani di bordo</translation>
         </message>
         <message>
             <source>Covering</source>
-            <translation type="unfinished" />
+            <translation>Copertura</translation>
         </message>
         <message>
             <source>Crossed</source>
-            <translation type="unfinished" />
+            <translation>Incrociato</translation>
         </message>
         <message>
             <source>Crossing</source>
-            <translation type="unfinished" />
+            <translation>Incrocio</translation>
         </message>
         <message>
             <source>Delete</source>
-            <translation type="unfinished" />
+            <translation>Elimina</translation>
         </message>
         <message>
             <source>Depth</source>
-            <translation type="unfinished" />
+            <translation>Profondità</translation>
         </message>
         <message>
             <source>Diagonal</source>
-            <translation type="unfinished" />
+            <translation>Diagonale</translation>
         </message>
         <message>
             <source>Diagrid</source>
-            <translation type="unfinished" />
+            <translation>Diagrid</translation>
         </message>
         <message>
             <source>Divide curves</source>
-            <translation type="unfinished" />
+            <translation>Dividi le curve</translation>
         </message>
         <message>
             <source>Do without, or end it while it goes on</source>
-            <translation type="unfinished" />
+            <translation>Farne a meno, o interrompere mentre procede</translation>
         </message>
         <message>
             <source>Edges and vertices</source>
-            <translation type="unfinished" />
+            <translation>Spigoli e vertici</translation>
         </message>
         <message>
             <source>Edit gridshell</source>
-            <translation type="unfinished" />
+            <translation>Modifica gridshell</translation>
         </message>
         <message>
             <source>Equal</source>
-            <translation type="unfinished" />
+            <translation>Uguale</translation>
         </message>
         <message>
             <source>Equal in</source>
-            <translation type="unfinished" />
+            <translation>Uguale in</translation>
         </message>
         <message>
             <source>Equal lengths</source>
-            <translation type="unfinished" />
+            <translation>Lunghezze uguali</translation>
         </message>
         <message>
             <source>Faces</source>
-            <translation type="unfinished" />
+            <translation>Facce</translation>
         </message>
         <message>
             <source>Faces of {} bodies are selected: select one or more of a single body in the 3D view, then press again.</source>
-            <translation type="unfinished" />
+            <translation>Sono scelte facce di {} corpi: sceglierne una o più di un solo corpo nella vista 3D, poi premere di nuovo.</translation>
         </message>
         <message>
             <source>Finding the shape to measure against</source>
-            <translation type="unfinished" />
+            <translation>Ricerca della forma di riferimento</translation>
         </message>
         <message>
             <source>Fixed</source>
-            <translation type="unfinished" />
+            <translation>Fisso</translation>
         </message>
         <message>
             <source>Flat sheet</source>
-            <translation type="unfinished" />
+            <translation>Foglio piano</translation>
         </message>
         <message>
             <source>Follows the expression {}</source>
-            <translation type="unfinished" />
+            <translation>Segue l'espressione {}</translation>
         </message>
         <message>
             <source>Force +</source>
-            <translation type="unfinished" />
+            <translation>Forza +</translation>
         </message>
         <message>
             <source>Force −</source>
-            <translation type="unfinished" />
+            <translation>Forza −</translation>
         </message>
         <message>
             <source>Forget the chosen alternative</source>
-            <translation type="unfinished" />
+            <translation>Dimenticare l'alternativa scelta</translation>
         </message>
         <message>
             <source>Free</source>
-            <translation type="unfinished" />
+            <translation>Libero</translation>
         </message>
         <message>
             <source>Full lines: how far the nodes truly are from where they stand in equilibrium. Dashed lines: how far the solver says they are. Farther right is more accurate, lower is faster.</source>
-            <translation type="unfinished" />
+            <translation>Linee piene: quanto i nodi distano davvero dall'equilibrio. Tratteggiate: quanto ne distano secondo il solutore. Più a destra è più preciso, più in basso più veloce.</translation>
         </message>
         <message>
             <source>Funicular</source>
-            <translation type="unfinished" />
+            <translation>Funicular</translation>
         </message>
         <message>
             <source>Funicular guide</source>
-            <translation type="unfinished" />
+            <translation>Guida di Funicular</translation>
         </message>
         <message>
             <source>Go on from the inputs of the chosen alternative</source>
-            <translation type="unfinished" />
+            <translation>Proseguire dai dati dell'alternativa scelta</translation>
         </message>
         <message>
             <source>Gridshell</source>
-            <translation type="unfinished" />
+            <translation>Gridshell</translation>
         </message>
         <message>
             <source>Hexagon</source>
-            <translation type="unfinished" />
+            <translation>Esagono</translation>
         </message>
         <message>
             <source>How far the farthest node is from where it was laid</source>
-            <translation type="unfinished" />
+            <translation>Quanto il nodo più lontano dista da dove era steso</translation>
         </message>
         <message>
             <source>How far the nodes are from where they were laid, on the average</source>
-            <translation type="unfinished" />
+            <translation>Quanto i nodi distano in media da dove erano stesi</translation>
         </message>
         <message>
             <source>How the solve went, against time. Full line: distance from equilibrium, dashed: largest unbalanced force. The level line is what is asked for: below it a curve has arrived.</source>
-            <translation type="unfinished" />
+            <translation>Andamento della soluzione nel tempo. Linea piena: distanza dall'equilibrio, tratteggiata: massima forza non equilibrata. La linea orizzontale è ciò che si chiede: sotto di essa una curva è arrivata.</translation>
         </message>
         <message>
             <source>Its unit</source>
-            <translation type="unfinished" />
+            <translation>Sua unità</translation>
         </message>
         <message>
             <source>Kagome</source>
-            <translation type="unfinished" />
+            <translation>Kagome</translation>
         </message>
         <message>
             <source>Keep this</source>
-            <translation type="unfinished" />
+            <translation>Conserva</translation>
         </message>
         <message>
             <source>Keep this form under a name</source>
-            <translation type="unfinished" />
+            <translation>Conservare questa forma con un nome</translation>
         </message>
         <message>
             <source>Laid</source>
-            <translation type="unfinished" />
+            <translation>Steso</translation>
         </message>
         <message>
             <source>Largest compression in a member</source>
-            <translation type="unfinished" />
+            <translation>Massima compressione in un'asta</translation>
         </message>
         <message>
             <source>Largest tension in a member</source>
-            <translation type="unfinished" />
+            <translation>Massima trazione in un'asta</translation>
         </message>
         <message>
             <source>Lay the net on the faces that are selected in the 3D view</source>
-            <translation type="unfinished" />
+            <translation>Stendere il reticolo sulle facce scelte nella vista 3D</translation>
         </message>
         <message>
             <source>Lay the pattern</source>
-            <translation type="unfinished" />
+            <translation>Stendi il motivo</translation>
         </message>
         <message>
             <source>Leave them out</source>
-            <translation type="unfinished" />
+            <translation>Toglile</translation>
         </message>
         <message>
             <source>Length</source>
-            <translation type="unfinished" />
+            <translation>Lunghezza</translation>
         </message>
         <message>
             <source>Length matching</source>
-            <translation type="unfinished" />
+            <translation>Lunghezze mantenute</translation>
         </message>
         <message>
             <source>Length matching was left out: each of its rounds is one more solve.</source>
-            <translation type="unfinished" />
+            <translation>Il mantenimento delle lunghezze è escluso: ogni suo ciclo è una soluzione in più.</translation>
         </message>
         <message>
             <source>Length of the longest member</source>
-            <translation type="unfinished" />
+            <translation>Lunghezza dell'asta più lunga</translation>
         </message>
         <message>
             <source>Lengths differ by {} % → {} % (rms), best reached after {} rounds</source>
-            <translation type="unfinished" />
+            <translation>Le lunghezze differiscono del {} % → {} % (rms), il meglio dopo {} cicli</translation>
         </message>
         <message>
             <source>Lengths differ from those on the source by {} % (rms)</source>
-            <translation type="unfinished" />
+            <translation>Le lunghezze differiscono da quelle sulla sorgente del {} % (rms)</translation>
         </message>
         <message>
             <source>Less than {} mm from equilibrium</source>
-            <translation type="unfinished" />
+            <translation>Meno di {} mm dall'equilibrio</translation>
         </message>
         <message>
             <source>Longest</source>
-            <translation type="unfinished" />
+            <translation>Più lunga</translation>
         </message>
         <message>
             <source>Lowest points</source>
-            <translation type="unfinished" />
+            <translation>Punti più bassi</translation>
         </message>
         <message>
             <source>Match lengths</source>
-            <translation type="unfinished" />
+            <translation>Mantieni lunghezze</translation>
         </message>
         <message>
             <source>Matching lengths, {} rounds</source>
-            <translation type="unfinished" />
+            <translation>Mantenimento delle lunghezze, {} cicli</translation>
         </message>
         <message>
             <source>Matplotlib draws with another Qt than FreeCAD's, as some addon has asked of it: start FreeCAD again, and use Funicular before that addon.</source>
-            <translation type="unfinished" />
+            <translation>Matplotlib disegna con un Qt diverso da quello di FreeCAD, chiesto da un altro addon: riavviare FreeCAD e usare Funicular prima di quell'addon.</translation>
         </message>
         <message>
             <source>Measure again</source>
-            <translation type="unfinished" />
+            <translation>Misura di nuovo</translation>
         </message>
         <message>
             <source>Measure the gridshell as it is now</source>
-            <translation type="unfinished" />
+            <translation>Misurare la gridshell com'è ora</translation>
         </message>
         <message>
             <source>Measuring</source>
-            <translation type="unfinished" />
+            <translation>Misura in corso</translation>
         </message>
         <message>
             <source>Measuring {} by {}, {} of {}</source>
-            <translation type="unfinished" />
+            <translation>Misura di {} con {}, {} di {}</translation>
         </message>
         <message>
             <source>Member force</source>
-            <translation type="unfinished" />
+            <translation>Forza nelle aste</translation>
         </message>
         <message>
             <source>Members</source>
-            <translation type="unfinished" />
+            <translation>Aste</translation>
         </message>
         <message>
             <source>Members and supports</source>
-            <translation type="unfinished" />
+            <translation>Aste e vincoli</translation>
         </message>
         <message>
             <source>Members up to {} times as long as on the face: stiffer ones stretch less</source>
-            <translation type="unfinished" />
+            <translation>Aste fino a {} volte più lunghe che sulla faccia: più rigide si allungano meno</translation>
         </message>
         <message>
             <source>Mesh file</source>
-            <translation type="unfinished" />
+            <translation>File di mesh</translation>
         </message>
         <message>
             <source>Method</source>
-            <translation type="unfinished" />
+            <translation>Metodo</translation>
         </message>
         <message>
             <source>More of the net</source>
-            <translation type="unfinished" />
+            <translation>Altro sul reticolo</translation>
         </message>
         <message>
             <source>Most shear</source>
-            <translation type="unfinished" />
+            <translation>Scorrimento max</translation>
         </message>
         <message>
             <source>Net</source>
-            <translation type="unfinished" />
+            <translation>Reticolo</translation>
         </message>
         <message>
             <source>Newton</source>
-            <translation type="unfinished" />
+            <translation>Newton</translation>
         </message>
         <message>
             <source>Nodes</source>
-            <translation type="unfinished" />
+            <translation>Nodi</translation>
         </message>
         <message>
             <source>None</source>
-            <translation type="unfinished" />
+            <translation>Nessuno</translation>
         </message>
         <message>
             <source>Nothing to build on is selected. Select a face in the 3D view, or several of one body, then run Gridshell again.</source>
-            <translation type="unfinished" />
+            <translation>Non è scelto nulla su cui costruire. Scegliere una faccia nella vista 3D, o più facce di un corpo, poi ripetere Gridshell.</translation>
         </message>
         <message>
             <source>Off, mean</source>
-            <translation type="unfinished" />
+            <translation>Scarto medio</translation>
         </message>
         <message>
             <source>Off, most</source>
-            <translation type="unfinished" />
+            <translation>Scarto max</translation>
         </message>
         <message>
             <source>On a line</source>
-            <translation type="unfinished" />
+            <translation>Su una linea</translation>
         </message>
         <message>
             <source>On a plane</source>
-            <translation type="unfinished" />
+            <translation>Su un piano</translation>
         </message>
         <message>
             <source>On its vertical line</source>
-            <translation type="unfinished" />
+            <translation>Sulla sua linea verticale</translation>
         </message>
         <message>
             <source>On its vertical plane</source>
-            <translation type="unfinished" />
+            <translation>Sul suo piano verticale</translation>
         </message>
         <message>
             <source>One iteration of the solver more, then a pause</source>
-            <translation type="unfinished" />
+            <translation>Ancora un'iterazione del solutore, poi pausa</translation>
         </message>
         <message>
             <source>Opening rims</source>
-            <translation type="unfinished" />
+            <translation>Bordi delle aperture</translation>
         </message>
         <message>
             <source>Other diagonal</source>
-            <translation type="unfinished" />
+            <translation>Altra diagonale</translation>
         </message>
         <message>
             <source>Parameter</source>
-            <translation type="unfinished" />
+            <translation>Parametro</translation>
         </message>
         <message>
             <source>Parts of {} gridshells are selected: select nodes or members of one in the 3D view.</source>
-            <translation type="unfinished" />
+            <translation>Sono scelte parti di {} gridshell: scegliere nodi o aste di una sola nella vista 3D.</translation>
         </message>
         <message>
             <source>Pattern</source>
-            <translation type="unfinished" />
+            <translation>Motivo</translation>
         </message>
         <message>
             <source>Pause</source>
-            <translation type="unfinished" />
+            <translation>Pausa</translation>
         </message>
         <message>
             <source>Paused</source>
-            <translation type="unfinished" />
+            <translation>In pausa</translation>
         </message>
         <message>
             <source>Points</source>
-            <translation type="unfinished" />
+            <translation>Punti</translation>
         </message>
         <message>
             <source>Properties to change: {}.</source>
-            <translation type="unfinished" />
+            <translation>Proprietà da cambiare: {}.</translation>
         </message>
         <message>
             <source>Pure</source>
-            <translation type="unfinished" />
+            <translation>Pura</translation>
         </message>
         <message>
             <source>Quad</source>
-            <translation type="unfinished" />
+            <translation>Quadrato</translation>
         </message>
         <message>
             <source>Raise</source>
-            <translation type="unfinished" />
+            <translation>Alza</translation>
         </message>
         <message>
             <source>Relax slowly</source>
-            <translation type="unfinished" />
+            <translation>Rilassa piano</translation>
         </message>
         <message>
             <source>Relaxation</source>
-            <translation type="unfinished" />
+            <translation>Rilassamento</translation>
         </message>
         <message>
             <source>Reset</source>
-            <translation type="unfinished" />
+            <translation>Ripristina</translation>
         </message>
         <message>
             <source>Restore</source>
-            <translation type="unfinished" />
+            <translation>Ripristina</translation>
         </message>
         <message>
             <source>Resume</source>
-            <translation type="unfinished" />
+            <translation>Riprendi</translation>
         </message>
         <message>
             <source>Ribs u</source>
-            <translation type="unfinished" />
+            <translation>Nervature u</translation>
         </message>
         <message>
             <source>Ribs v</source>
-            <translation type="unfinished" />
+            <translation>Nervature v</translation>
         </message>
         <message>
             <source>Rise</source>
-            <translation type="unfinished" />
+            <translation>Freccia</translation>
         </message>
         <message>
             <source>Ruled faces</source>
-            <translation type="unfinished" />
+            <translation>Facce rigate</translation>
         </message>
         <message>
             <source>Save as…</source>
-            <translation type="unfinished" />
+            <translation>Salva con nome…</translation>
         </message>
         <message>
             <source>Save what was measured</source>
-            <translation type="unfinished" />
+            <translation>Salva la misura</translation>
         </message>
         <message>
             <source>Select a gridshell and press “What accuracy costs”.</source>
-            <translation type="unfinished" />
+            <translation>Scegliere una gridshell e premere «Quanto costa la precisione».</translation>
         </message>
         <message>
             <source>Select either nodes of the gridshell or edges of its source, and make one support of each.</source>
-            <translation type="unfinished" />
+            <translation>Scegliere o nodi della gridshell o spigoli della sua sorgente, e fare un vincolo di ciascuno.</translation>
         </message>
         <message>
             <source>Shared by</source>
-            <translation type="unfinished" />
+            <translation>Ripartito per</translation>
         </message>
         <message>
             <source>Shift along u</source>
-            <translation type="unfinished" />
+            <translation>Spostato in u</translation>
         </message>
         <message>
             <source>Shift along v</source>
-            <translation type="unfinished" />
+            <translation>Spostato in v</translation>
         </message>
         <message>
             <source>Shorten what has become longer than on the source and lengthen what has become shorter, round by round, as far as equilibrium lets it</source>
-            <translation type="unfinished" />
+            <translation>Accorciare ciò che è più lungo che sulla sorgente e allungare ciò che è più corto, ciclo dopo ciclo, finché l'equilibrio lo consente</translation>
         </message>
         <message>
             <source>Show</source>
-            <translation type="unfinished" />
+            <translation>Mostra</translation>
         </message>
         <message>
             <source>Snow</source>
-            <translation type="unfinished" />
+            <translation>Neve</translation>
         </message>
         <message>
             <source>Solution</source>
-            <translation type="unfinished" />
+            <translation>Soluzione</translation>
         </message>
         <message>
             <source>Solve once more without each effect: how much time it takes, and how far the shape moves. Nothing is left out by this.</source>
-            <translation type="unfinished" />
+            <translation>Risolvere ancora senza ciascun effetto: quanto tempo richiede e di quanto si sposta la forma. Nulla viene tolto.</translation>
         </message>
         <message>
             <source>Solving</source>
-            <translation type="unfinished" />
+            <translation>Soluzione in corso</translation>
         </message>
         <message>
             <source>Source</source>
-            <translation type="unfinished" />
+            <translation>Sorgente</translation>
         </message>
         <message>
             <source>Start (u, v)</source>
-            <translation type="unfinished" />
+            <translation>Inizio (u, v)</translation>
         </message>
         <message>
             <source>Step along u</source>
-            <translation type="unfinished" />
+            <translation>Passo lungo u</translation>
         </message>
         <message>
             <source>Step along v</source>
-            <translation type="unfinished" />
+            <translation>Passo lungo v</translation>
         </message>
         <message>
             <source>Stiffness EA</source>
-            <translation type="unfinished" />
+            <translation>Rigidezza EA</translation>
         </message>
         <message>
             <source>Stop measuring; what was measured stays</source>
-            <translation type="unfinished" />
+            <translation>Smettere di misurare; ciò che è stato misurato resta</translation>
         </message>
         <message>
             <source>Support</source>
-            <translation type="unfinished" />
+            <translation>Vincolo</translation>
         </message>
         <message>
             <source>Supports</source>
-            <translation type="unfinished" />
+            <translation>Vincoli</translation>
         </message>
         <message>
             <source>Table, and a picture of the same name (*.csv)</source>
-            <translation type="unfinished" />
+            <translation>Tabella, e un'immagine con lo stesso nome (*.csv)</translation>
         </message>
         <message>
             <source>Take out</source>
-            <translation type="unfinished" />
+            <translation>Togli</translation>
         </message>
         <message>
             <source>Ten times as stiff</source>
-            <translation type="unfinished" />
+            <translation>Dieci volte più rigide</translation>
         </message>
         <message>
             <source>That is less than {}: it may be left out.</source>
-            <translation type="unfinished" />
+            <translation>È meno di {}: si può togliere.</translation>
         </message>
         <message>
             <source>The gridshell has changed since this was begun: press “Measure again”.</source>
-            <translation type="unfinished" />
+            <translation>La gridshell è cambiata da quando si è iniziato: premere «Misura di nuovo».</translation>
         </message>
         <message>
             <source>The guide is missing: {}. Install the addon again.</source>
-            <translation type="unfinished" />
+            <translation>Manca la guida: {}. Reinstallare l'addon.</translation>
         </message>
         <message>
             <source>The members cannot carry these loads.</source>
-            <translation type="unfinished" />
+            <translation>Le aste non possono portare questi carichi.</translation>
         </message>
         <message>
             <source>Together these may move it by {}: leave out one, then measure again.</source>
-            <translation type="unfinished" />
+            <translation>Insieme possono spostarla di {}: toglierne uno, poi misurare di nuovo.</translation>
         </message>
         <message>
             <source>Triangle</source>
-            <translation type="unfinished" />
+            <translation>Triangolo</translation>
         </message>
         <message>
             <source>Triangles</source>
-            <translation type="unfinished" />
+            <translation>Triangoli</translation>
         </message>
         <message>
             <source>Turned</source>
-            <translation type="unfinished" />
+            <translation>Ruotato</translation>
         </message>
         <message>
             <source>Undo and redo end the panel of {}: its inputs no longer hold.</source>
-            <translation type="unfinished" />
+            <translation>Annulla e Ripeti chiudono il pannello di {}: i suoi dati non valgono più.</translation>
         </message>
         <message>
             <source>Undo matching</source>
-            <translation type="unfinished" />
+            <translation>Senza mantenere</translation>
         </message>
         <message>
             <source>Use selected faces</source>
-            <translation type="unfinished" />
+            <translation>Usa le facce scelte</translation>
         </message>
         <message>
             <source>Variant {}</source>
-            <translation type="unfinished" />
+            <translation>Variante {}</translation>
         </message>
         <message>
             <source>Voronoi</source>
-            <translation type="unfinished" />
+            <translation>Voronoi</translation>
         </message>
         <message>
             <source>Wait until the form has settled, then keep it.</source>
-            <translation type="unfinished" />
+            <translation>Aspettare che la forma si fermi, poi conservarla.</translation>
         </message>
         <message>
             <source>Watch how the net comes to hang by the relaxation of Brivio et al. (2009), step by step, instead of the fast solver. What it comes to is the same.</source>
-            <translation type="unfinished" />
+            <translation>Guardare come il reticolo si appende col rilassamento di Brivio et al. (2009), passo per passo, invece del solutore veloce. Il risultato è lo stesso.</translation>
         </message>
         <message>
             <source>Weight</source>
-            <translation type="unfinished" />
+            <translation>Peso</translation>
         </message>
         <message>
             <source>Weights</source>
-            <translation type="unfinished" />
+            <translation>Pesi</translation>
         </message>
         <message>
             <source>Weld within</source>
-            <translation type="unfinished" />
+            <translation>Salda entro</translation>
         </message>
         <message>
             <source>What a solve to this accuracy takes, as predicted. Below it the largest step that brings the net as near to the smooth surface that it stands for, which is no error where members are the straight beams that will be built.</source>
-            <translation type="unfinished" />
+            <translation>Quanto richiede, secondo la previsione, una soluzione con questa precisione. Sotto, il passo più grande che porta il reticolo altrettanto vicino alla superficie liscia che rappresenta; non è un errore dove le aste sono le travi diritte da costruire.</translation>
         </message>
         <message>
             <source>What accuracy costs</source>
-            <translation type="unfinished" />
+            <translation>Quanto costa la precisione</translation>
         </message>
         <message>
             <source>What accuracy costs: {}</source>
-            <translation type="unfinished" />
+            <translation>Quanto costa la precisione: {}</translation>
         </message>
         <message>
             <source>What effects cost</source>
-            <translation type="unfinished" />
+            <translation>Quanto costano gli effetti</translation>
         </message>
         <message>
             <source>Whether it stands in compression only</source>
-            <translation type="unfinished" />
+            <translation>Se sta in sola compressione</translation>
         </message>
         <message>
             <source>Width</source>
-            <translation type="unfinished" />
+            <translation>Larghezza</translation>
         </message>
         <message>
             <source>Without it {}, and the shape moves by {}.</source>
-            <translation type="unfinished" />
+            <translation>Senza di esso {}, e la forma si sposta di {}.</translation>
         </message>
         <message>
             <source>Write what was measured as a table (.csv) and a picture (.png)</source>
-            <translation type="unfinished" />
+            <translation>Scrivere ciò che è stato misurato come tabella (.csv) e immagine (.png)</translation>
         </message>
         <message>
             <source>Zigzag</source>
-            <translation type="unfinished" />
+            <translation>Zigzag</translation>
         </message>
         <message>
             <source>about {}</source>
-            <translation type="unfinished" />
+            <translation>circa {}</translation>
         </message>
         <message>
             <source>accuracy now: {}</source>
-            <translation type="unfinished" />
+            <translation>precisione attuale: {}</translation>
         </message>
         <message>
             <source>asked for: {}</source>
-            <translation type="unfinished" />
+            <translation>richiesto: {}</translation>
         </message>
         <message>
             <source>by step</source>
-            <translation type="unfinished" />
+            <translation>dal passo</translation>
         </message>
         <message>
             <source>cancelled</source>
-            <translation type="unfinished" />
+            <translation>annullato</translation>
         </message>
         <message>
             <source>change</source>
-            <translation type="unfinished" />
+            <translation>differenza</translation>
         </message>
         <message>
             <source>compression −</source>
-            <translation type="unfinished" />
+            <translation>compressione −</translation>
         </message>
         <message>
             <source>compression − (own scale)</source>
-            <translation type="unfinished" />
+            <translation>compressione − (scala propria)</translation>
         </message>
         <message>
             <source>distance from equilibrium</source>
-            <translation type="unfinished" />
+            <translation>distanza dall'equilibrio</translation>
         </message>
         <message>
             <source>no</source>
-            <translation type="unfinished" />
+            <translation>no</translation>
         </message>
         <message>
             <source>off</source>
-            <translation type="unfinished" />
+            <translation>no</translation>
         </message>
         <message>
             <source>point loads</source>
-            <translation type="unfinished" />
+            <translation>carichi concentrati</translation>
         </message>
         <message>
             <source>present</source>
-            <translation type="unfinished" />
+            <translation>attuale</translation>
         </message>
         <message>
             <source>residual {:.0e}</source>
-            <translation type="unfinished" />
+            <translation>residuo {:.0e}</translation>
         </message>
         <message>
             <source>snow</source>
-            <translation type="unfinished" />
+            <translation>neve</translation>
         </message>
         <message>
             <source>tension +</source>
-            <translation type="unfinished" />
+            <translation>trazione +</translation>
         </message>
         <message>
             <source>tension + (own scale)</source>
-            <translation type="unfinished" />
+            <translation>trazione + (scala propria)</translation>
         </message>
         <message>
             <source>the covering</source>
-            <translation type="unfinished" />
+            <translation>copertura</translation>
         </message>
         <message>
             <source>the members' stiffness</source>
-            <translation type="unfinished" />
+            <translation>rigidezza delle aste</translation>
         </message>
         <message>
             <source>the members' weight</source>
-            <translation type="unfinished" />
+            <translation>peso delle aste</translation>
         </message>
         <message>
             <source>the solve was cancelled and the last good shape stays; recompute to solve again</source>
-            <translation type="unfinished" />
+            <translation>la soluzione è stata annullata e resta l'ultima forma valida; ricalcolare per risolvere di nuovo</translation>
         </message>
         <message>
             <source>time in the solver</source>
-            <translation type="unfinished" />
+            <translation>tempo nel solutore</translation>
         </message>
         <message>
             <source>yes</source>
-            <translation type="unfinished" />
+            <translation>sì</translation>
         </message>
         <message>
             <source>{} % faster</source>
-            <translation type="unfinished" />
+            <translation>{} % più veloce</translation>
         </message>
         <message>
             <source>{} % slower</source>
-            <translation type="unfinished" />
+            <translation>{} % più lento</translation>
         </message>
         <message>
             <source>{} Accuracy and method are as before.</source>
-            <translation type="unfinished" />
+            <translation>{} Precisione e metodo sono come prima.</translation>
         </message>
         <message>
             <source>{} and {} are written.</source>
-            <translation type="unfinished" />
+            <translation>{} e {} sono scritti.</translation>
         </message>
         <message>
             <source>{} bodies or nets are selected, and a gridshell stands on one. Select faces of a single body in the 3D view, then run Gridshell again.</source>
-            <translation type="unfinished" />
+            <translation>Sono scelti {} corpi o reticoli, e una gridshell sta su uno. Scegliere facce di un solo corpo nella vista 3D, poi ripetere Gridshell.</translation>
         </message>
         <message>
             <source>{} by {}: {}, truly {}</source>
-            <translation type="unfinished" />
+            <translation>{} con {}: {}, in realtà {}</translation>
         </message>
         <message>
             <source>{} follows the expression {}: change that instead.</source>
-            <translation type="unfinished" />
+            <translation>{} segue l'espressione {}: cambiare quella.</translation>
         </message>
         <message>
             <source>{} gave up after {}, without coming as near as {}.</source>
-            <translation type="unfinished" />
+            <translation>{} ha rinunciato dopo {}, senza arrivare a {}.</translation>
         </message>
         <message>
             <source>{} gridshells are selected, and this is done for one. Select a single Gridshell in the tree, then run the command again.</source>
-            <translation type="unfinished" />
+            <translation>Sono scelte {} gridshell, e questo si fa per una. Sceglierne una sola nell'albero, poi ripetere il comando.</translation>
         </message>
         <message>
             <source>{} has another net: restore it to see it.</source>
-            <translation type="unfinished" />
+            <translation>{} ha un altro reticolo: ripristinarla per vederla.</translation>
         </message>
         <message>
             <source>{} is selected as a whole, with {} faces: select those that the gridshell shall follow, in the 3D view.</source>
-            <translation type="unfinished" />
+            <translation>{} è scelto per intero, con {} facce: scegliere nella vista 3D quelle che la gridshell deve seguire.</translation>
         </message>
         <message>
             <source>{} is there already. Replace it?</source>
-            <translation type="unfinished" />
+            <translation>{} esiste già. Sostituire?</translation>
         </message>
         <message>
             <source>{} members are in tension.</source>
-            <translation type="unfinished" />
+            <translation>{} aste sono in trazione.</translation>
         </message>
         <message>
             <source>{} members are slack: they carry nothing.</source>
-            <translation type="unfinished" />
+            <translation>{} aste sono scariche: non portano nulla.</translation>
         </message>
         <message>
             <source>{} mm from equilibrium</source>
-            <translation type="unfinished" />
+            <translation>{} mm dall'equilibrio</translation>
         </message>
         <message>
             <source>{} of {} is not what the net lies on: select edges of its source.</source>
-            <translation type="unfinished" />
+            <translation>{} di {} non è ciò su cui sta il reticolo: scegliere spigoli della sua sorgente.</translation>
         </message>
         <message>
             <source>{} of {} measured</source>
-            <translation type="unfinished" />
+            <translation>{} di {} misurati</translation>
         </message>
         <message>
             <source>{} of {} members in tension, at most {}</source>
-            <translation type="unfinished" />
+            <translation>{} aste su {} in trazione, al massimo {}</translation>
         </message>
         <message>
             <source>{} overall: step {}, {}</source>
-            <translation type="unfinished" />
+            <translation>{} in tutto: passo {}, {}</translation>
         </message>
         <message>
             <source>{} supports pull the shell down, so it pulls upward there.</source>
-            <translation type="unfinished" />
+            <translation>{} vincoli tirano la gridshell in basso: lì essa tira verso l'alto.</translation>
         </message>
         <message>
             <source>{} total, balanced to {:.0e}</source>
-            <translation type="unfinished" />
+            <translation>{} in tutto, in equilibrio a meno di {:.0e}</translation>
         </message>
         <message>
             <source>{}, {} iterations</source>
-            <translation type="unfinished" />
+            <translation>{}, {} iterazioni</translation>
         </message>
         <message>
             <source>{}. Chosen: the gridshell was solved again in {}.</source>
-            <translation type="unfinished" />
+            <translation>{}. Scelto: la gridshell è stata risolta di nuovo in {}.</translation>
         </message>
         <message>
             <source>{}. The gridshell has this accuracy and method.</source>
-            <translation type="unfinished" />
+            <translation>{}. La gridshell ha questa precisione e questo metodo.</translation>
         </message>
         <message>
             <source>{}: {} %, Esc cancels</source>
-            <translation type="unfinished" />
+            <translation>{}: {} %, Esc annulla</translation>
         </message>
         <message>
             <source>{}: {}, {} % of the time, {} calls, {} kB.</source>
-            <translation type="unfinished" />
+            <translation>{}: {}, {} % del tempo, {} chiamate, {} kB.</translation>
         </message>
         <message>
             <source>“{}” is not a value in {}. Write for example “12 {}”.</source>
-            <translation type="unfinished" />
+            <translation>«{}» non è un valore in {}. Scrivere per esempio «12 {}».</translation>
         </message>
     </context>
     <context>
         <name>FunicularPreferences</name>
         <message>
             <source>&amp;Accuracy</source>
-            <translation type="unfinished" />
+            <translation>&amp;Precisione</translation>
         </message>
         <message>
             <source>&amp;Colours of forces</source>
-            <translation type="unfinished" />
+            <translation>&amp;Colori delle forze</translation>
         </message>
         <message>
             <source>&amp;Time for a frame</source>
-            <translation type="unfinished" />
+            <translation>&amp;Tempo per immagine</translation>
         </message>
         <message>
             <source>As the unit schema (N and kN, or lbf and kip)</source>
-            <translation type="unfinished" />
+            <translation>Come il sistema di unità (N e kN, o lbf e kip)</translation>
         </message>
         <message>
             <source>Blue for compression, orange for tension</source>
-            <translation type="unfinished" />
+            <translation>Blu per la compressione, arancio per la trazione</translation>
         </message>
         <message>
             <source>From one frame to the next while a form moves; more leaves more of the processor to the solver. Counts from the next time that a panel opens.</source>
-            <translation type="unfinished" />
+            <translation>Da un'immagine alla successiva mentre una forma si muove; di più lascia al solutore più processore. Vale dalla prossima apertura di un pannello.</translation>
         </message>
         <message>
             <source>General</source>
-            <translation type="unfinished" />
+            <translation>Generale</translation>
         </message>
         <message>
             <source>How far from equilibrium the nodes of a new gridshell may lie</source>
-            <translation type="unfinished" />
+            <translation>Quanto i nodi di una nuova gridshell possono distare dall'equilibrio</translation>
         </message>
         <message>
             <source>New gridshells</source>
-            <translation type="unfinished" />
+            <translation>Nuove gridshell</translation>
         </message>
         <message>
             <source>Numbers and colours</source>
-            <translation type="unfinished" />
+            <translation>Numeri e colori</translation>
         </message>
         <message>
             <source>One ramp, from dark to light</source>
-            <translation type="unfinished" />
+            <translation>Una scala sola, da scuro a chiaro</translation>
         </message>
         <message>
             <source>Panel of a gridshell</source>
-            <translation type="unfinished" />
+            <translation>Pannello di una gridshell</translation>
         </message>
         <message>
             <source>Show the form as it &amp;moves</source>
-            <translation type="unfinished" />
+            <translation>&amp;Mostra la forma in movimento</translation>
         </message>
         <message>
             <source>Show the form on its way, at an even pace. Without it each form is shown where it comes to.</source>
-            <translation type="unfinished" />
+            <translation>Mostrare la forma lungo il suo cammino, a ritmo costante. Altrimenti ogni forma appare dove arriva.</translation>
         </message>
         <message>
             <source>The colours of the members in the 3D view. Both are told apart with any colour vision.</source>
-            <translation type="unfinished" />
+            <translation>I colori delle aste nella vista 3D. Entrambi si distinguono con ogni visione dei colori.</translation>
         </message>
         <message>
             <source>The unit that forces are written in: in sentences, in the legend and in the panel</source>
-            <translation type="unfinished" />
+            <translation>L'unità in cui si scrivono le forze: nelle frasi, nella legenda e nel pannello</translation>
         </message>
         <message>
             <source>Unit of &amp;force</source>
-            <translation type="unfinished" />
+            <translation>&amp;Unità di forza</translation>
         </message>
     </context>
     <context>
         <name>Funicular_AccuracyStudy</name>
         <message>
             <source>A plot grows beside the 3D view, and nothing waits for it. Click a point of it, and the gridshell takes that accuracy and method.</source>
-            <translation type="unfinished" />
+            <translation>Accanto alla vista 3D cresce un grafico, e nulla lo aspetta. Con un clic su un suo punto la gridshell ne prende precisione e metodo.</translation>
         </message>
         <message>
             <source>Measure how long the selected gridshell takes at several accuracies, and choose one.
 Select one Gridshell in the tree or in the 3D view, then run this command.</source>
-            <translation type="unfinished" />
+            <translation>Misurare quanto tempo richiede la gridshell scelta con varie precisioni, e sceglierne una.
+Scegliere una gridshell nell'albero o nella vista 3D, poi eseguire questo comando.</translation>
         </message>
         <message>
             <source>What accuracy costs</source>
-            <translation type="unfinished" />
+            <translation>Quanto costa la precisione</translation>
         </message>
     </context>
     <context>
@@ -1452,78 +1453,82 @@ Select one Gridshell in the tree or in the 3D view, then run this command.</sour
         <message>
             <source>Cover the panels of the selected gridshell with faces.
 Select one Gridshell in the tree or in the 3D view, then run this command.</source>
-            <translation type="unfinished" />
+            <translation>Coprire con facce i pannelli della gridshell scelta.
+Scegliere una gridshell nell'albero o nella vista 3D, poi eseguire questo comando.</translation>
         </message>
         <message>
             <source>Covering</source>
-            <translation type="unfinished" />
+            <translation>Copertura</translation>
         </message>
         <message>
             <source>Each panel becomes a face that other commands of FreeCAD can use and that STEP files take. The Covering says which panels are warped and by how much, and follows the gridshell.</source>
-            <translation type="unfinished" />
+            <translation>Ogni pannello diventa una faccia che gli altri comandi di FreeCAD e i file STEP accettano. La copertura dice quali pannelli sono svergolati e di quanto, e segue la gridshell.</translation>
         </message>
     </context>
     <context>
         <name>Funicular_Gridshell</name>
         <message>
             <source>A net is laid on the face and relaxed until each member is compressed. The panel that opens has its steps, weights and supports. Shape and numbers follow the face from then on.</source>
-            <translation type="unfinished" />
+            <translation>Sulla faccia è steso un reticolo, rilassato finché ogni asta è compressa. Il pannello che si apre ne ha passi, pesi e vincoli. Forma e numeri seguono poi la faccia.</translation>
         </message>
         <message>
             <source>Gridshell</source>
-            <translation type="unfinished" />
+            <translation>Gridshell</translation>
         </message>
         <message>
             <source>Turn the selected face into a compression-only gridshell.
 Select a face in the 3D view, several of one body, or a Net in the tree, then run this command.</source>
-            <translation type="unfinished" />
+            <translation>Fare della faccia scelta una gridshell in sola compressione.
+Scegliere una faccia nella vista 3D, più facce di un corpo, o un reticolo nell'albero, poi eseguire questo comando.</translation>
         </message>
     </context>
     <context>
         <name>Funicular_Guide</name>
         <message>
             <source>Funicular guide</source>
-            <translation type="unfinished" />
+            <translation>Guida di Funicular</translation>
         </message>
         <message>
             <source>The guide opens in a window of its own and needs no network.</source>
-            <translation type="unfinished" />
+            <translation>La guida si apre in una finestra propria e non richiede la rete. È in inglese.</translation>
         </message>
         <message>
             <source>Two pages with pictures: from a face to a gridshell and out.</source>
-            <translation type="unfinished" />
+            <translation>Due pagine con immagini: dalla faccia alla gridshell, e oltre.</translation>
         </message>
     </context>
     <context>
         <name>Funicular_Raise</name>
         <message>
             <source>Raise</source>
-            <translation type="unfinished" />
+            <translation>Alza</translation>
         </message>
         <message>
             <source>Raise the selected nodes of the net by a quarter of a member, and again for more.
 Select nodes of a Gridshell. The height of each is in the property Raised of its Net.</source>
-            <translation type="unfinished" />
+            <translation>Alzare i nodi scelti del reticolo di un quarto d'asta, e di nuovo per di più.
+Scegliere nodi di una gridshell. L'altezza di ciascuno sta nella proprietà Raised del suo reticolo.</translation>
         </message>
         <message>
             <source>The gridshell is relaxed again on the net that was changed. Undo takes it back.</source>
-            <translation type="unfinished" />
+            <translation>La gridshell è rilassata di nuovo sul reticolo cambiato. Annulla riporta com'era.</translation>
         </message>
     </context>
     <context>
         <name>Funicular_Sheet</name>
         <message>
             <source>Flat sheet</source>
-            <translation type="unfinished" />
+            <translation>Foglio piano</translation>
         </message>
         <message>
             <source>Start from a flat sheet of given size, which rises between its four corners.
 Nothing needs to be selected.</source>
-            <translation type="unfinished" />
+            <translation>Partire da un foglio piano di misura data, che si alza tra i suoi quattro angoli.
+Non occorre scegliere nulla.</translation>
         </message>
         <message>
             <source>The sheet stands on its four corners and rises between them. The panel that opens has its width, its depth and all else that a gridshell has.</source>
-            <translation type="unfinished" />
+            <translation>Il foglio sta sui suoi quattro angoli e si alza tra di essi. Il pannello che si apre ne ha larghezza, profondità e tutto ciò che ha una gridshell.</translation>
         </message>
     </context>
     <context>
@@ -1531,42 +1536,44 @@ Nothing needs to be selected.</source>
         <message>
             <source>Hold the selected gridshell at its border, or where edges and vertices are selected too.
 Select a Gridshell, and with it nodes of its own, or edges and vertices of its source.</source>
-            <translation type="unfinished" />
+            <translation>Tenere la gridshell scelta al suo bordo, o dove sono scelti anche spigoli e vertici.
+Scegliere una gridshell, e con essa suoi nodi o spigoli e vertici della sua sorgente.</translation>
         </message>
         <message>
             <source>Support</source>
-            <translation type="unfinished" />
+            <translation>Vincolo</translation>
         </message>
         <message>
             <source>The new Support stands in the tree, and its properties say how it holds its nodes: fixed, sliding in a plane or on a line, yielding, or not at all. It outlives other steps of the net.</source>
-            <translation type="unfinished" />
+            <translation>Il nuovo vincolo sta nell'albero, e le sue proprietà dicono come tiene i suoi nodi: fissi, scorrevoli in un piano o su una linea, cedevoli, o per nulla. Resiste ad altri passi del reticolo.</translation>
         </message>
     </context>
     <context>
         <name>Funicular_TakeOut</name>
         <message>
             <source>Take out</source>
-            <translation type="unfinished" />
+            <translation>Togli</translation>
         </message>
         <message>
             <source>Take the selected members out of the net, or the panels whose faces are selected.
 Select members of a Gridshell, or faces of its Covering. Their place on the face is kept.</source>
-            <translation type="unfinished" />
+            <translation>Togliere dal reticolo le aste scelte, o i pannelli di cui sono scelte le facce.
+Scegliere aste di una gridshell, o facce della sua copertura. Il loro posto sulla faccia è conservato.</translation>
         </message>
         <message>
             <source>The covering of an opening stands on its rim. The gridshell is relaxed again. Undo takes it back.</source>
-            <translation type="unfinished" />
+            <translation>La copertura di un'apertura sta sul suo bordo. La gridshell è rilassata di nuovo. Annulla riporta com'era.</translation>
         </message>
     </context>
     <context>
         <name>Workbench</name>
         <message>
             <source>Funicular</source>
-            <translation type="unfinished" />
+            <translation>Funicular</translation>
         </message>
         <message>
             <source>Turn a surface into a compression-only gridshell</source>
-            <translation type="unfinished" />
+            <translation>Fare di una superficie una gridshell in sola compressione</translation>
         </message>
     </context>
 </TS>
