@@ -441,7 +441,7 @@
         </message>
         <message>
             <source>. Select another face and press “Use selected faces”.</source>
-            <translation>. Andere Fläche wählen und „Gewählte Flächen nehmen“ drücken.</translation>
+            <translation>. Andere Fläche wählen und „Gewählte Flächen“ drücken.</translation>
         </message>
         <message>
             <source>Accuracy</source>
@@ -1093,7 +1093,7 @@
         </message>
         <message>
             <source>Use selected faces</source>
-            <translation>Gewählte Flächen nehmen</translation>
+            <translation>Gewählte Flächen</translation>
         </message>
         <message>
             <source>Variant {}</source>

@@ -441,7 +441,7 @@
         </message>
         <message>
             <source>. Select another face and press “Use selected faces”.</source>
-            <translation>. Scegliere un'altra faccia e premere «Usa le facce scelte».</translation>
+            <translation>. Scegliere un'altra faccia e premere «Facce scelte».</translation>
         </message>
         <message>
             <source>Accuracy</source>
@@ -449,7 +449,7 @@
         </message>
         <message>
             <source>Allow tension</source>
-            <translation>Consenti trazione</translation>
+            <translation>Trazione</translation>
         </message>
         <message>
             <source>Along isolines</source>
@@ -733,7 +733,7 @@
         </message>
         <message>
             <source>Length matching</source>
-            <translation>Lunghezze mantenute</translation>
+            <translation>Mantenimento</translation>
         </message>
         <message>
             <source>Length matching was left out: each of its rounds is one more solve.</source>
@@ -1089,11 +1089,11 @@
         </message>
         <message>
             <source>Undo matching</source>
-            <translation>Senza mantenere</translation>
+            <translation>Non mantenere</translation>
         </message>
         <message>
             <source>Use selected faces</source>
-            <translation>Usa le facce scelte</translation>
+            <translation>Facce scelte</translation>
         </message>
         <message>
             <source>Variant {}</source>

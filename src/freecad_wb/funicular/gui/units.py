@@ -13,7 +13,7 @@ METRIC = {"MemberWeight": "kg/m", "CoveringWeight": "kg/m²", "Snow": "kN/m²"}
 IMPERIAL = {"MemberWeight": "lb/ft", "CoveringWeight": "lb/ft²", "Snow": "psf"}
 
 # As engineers write them, and as FreeCAD's parser reads them.
-WRITTEN = (("²", "^2"), ("psf", "lbf/ft^2"), ("kip", "*1000*lbf"))
+WRITTEN = (("²", "^2"), ("psf", "lbf/ft^2"), ("kip", "*1000 lbf"))
 
 
 def unit_of(name, quantity):
