@@ -341,9 +341,9 @@ def test_numbers_with_a_decimal_comma_are_read_in_each_kind_of_box(opened, langu
     type_into(panel_box("OffsetU"), "0,25")
     type_into(panel_box("Accuracy"), "0,5 mm")
     assert opened.Net.StepU.Value == pytest.approx(1250.0)
-    assert opened.CoveringWeight.getValueAs("kg/m^2") == pytest.approx(32.5)
-    assert opened.Snow.getValueAs("Pa") == pytest.approx(750.0)
-    assert opened.AxialStiffness.getValueAs("kN") == pytest.approx(120.5)
+    assert opened.CoveringWeight.getValueAs("kg/m^2").Value == pytest.approx(32.5)
+    assert opened.Snow.getValueAs("Pa").Value == pytest.approx(750.0)
+    assert opened.AxialStiffness.getValueAs("kN").Value == pytest.approx(120.5)
     assert opened.Net.OffsetU == pytest.approx(0.25)
     assert opened.Accuracy.Value == pytest.approx(0.5)
     assert panel_box("OffsetU").text() == "0,25"
@@ -367,14 +367,14 @@ def test_the_panel_in_feet_and_pounds(opened, schema, pictures, number):
     assert panel_box("Snow").text() == "0 psf"
     assert re.search(r"at most [\d.]+ (lbf|kip)", line) and "kN" not in line
     type_into(panel_box("Snow"), "20")
-    assert opened.Snow.getValueAs("Pa") == pytest.approx(20 * 47.880259, rel=1e-5)
+    assert opened.Snow.getValueAs("Pa").Value == pytest.approx(20 * 47.880259, rel=1e-5)
     type_into(panel_box("CoveringWeight"), "7.5 lb/ft²")
-    assert opened.CoveringWeight.getValueAs("kg/m^2") == pytest.approx(7.5 * 4.882428, rel=1e-5)
+    assert opened.CoveringWeight.getValueAs("kg/m^2").Value == pytest.approx(7.5 * 4.882428, rel=1e-5)
     type_into(panel_box("CoveringWeight"), "30 kg/m²")
     type_into(panel_box("AxialStiffness"), "30 kip")
-    assert opened.AxialStiffness.getValueAs("kN") == pytest.approx(30 * 4.4482216, rel=1e-5)
+    assert opened.AxialStiffness.getValueAs("kN").Value == pytest.approx(30 * 4.4482216, rel=1e-5)
     type_into(panel_box("AxialStiffness"), "500 lbf")
-    assert opened.AxialStiffness.getValueAs("lbf") == pytest.approx(500.0, rel=1e-5)
+    assert opened.AxialStiffness.getValueAs("lbf").Value == pytest.approx(500.0, rel=1e-5)
     assert "not a value" not in result_line()
     picture_of_panel(pictures / f"panel_imperial_{number}.png")
     press("Cancel")
@@ -387,7 +387,7 @@ def test_forces_are_read_in_each_schema_for_buildings(opened, schema):
     edit_again(opened)
     assert panel_box("AxialStiffness").text() == "100 kN"
     type_into(panel_box("AxialStiffness"), "80")
-    assert opened.AxialStiffness.getValueAs("kN") == pytest.approx(80.0)
+    assert opened.AxialStiffness.getValueAs("kN").Value == pytest.approx(80.0)
     press("Cancel")
 
 

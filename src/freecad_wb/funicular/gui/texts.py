@@ -33,7 +33,7 @@ class WrappedText(QtWidgets.QLabel):
         if self._kind is None:
             return
         _, on_light, on_dark = self._kind
-        # By the ink, as a style sheet tells the palette nothing of the paper; the parent's, as ours is coloured.
+        # By the ink: a style sheet tells the palette nothing of the paper. The parent's: ours is coloured.
         ink = (self.parentWidget() or self).palette().color(QtGui.QPalette.WindowText)
         style = f"color: {on_dark if ink.lightness() > 127 else on_light}"
         if style != self.styleSheet():
