@@ -81,6 +81,10 @@
             <translation>Gekrümmte Kanten werden in Teile geteilt, die nicht länger sind als dies; 0 für je einen Stab</translation>
         </message>
         <message>
+            <source>Diameter of round bars, and width of rectangular ones</source>
+            <translation>Durchmesser runder Stäbe und Breite rechteckiger</translation>
+        </message>
+        <message>
             <source>EA of the members, the force that would double their length: the lower, the higher the shell</source>
             <translation>EA der Stäbe, die Kraft, die ihre Länge verdoppeln würde: je kleiner, desto höher die Schale</translation>
         </message>
@@ -109,6 +113,10 @@
             <translation>Nach dieser Zeit aufgeben; 0 für nie</translation>
         </message>
         <message>
+            <source>Height of rectangular bars, in the vertical plane of each</source>
+            <translation>Höhe rechteckiger Stäbe, jeweils in ihrer lotrechten Ebene</translation>
+        </message>
+        <message>
             <source>How a panel's weight goes to its corners: by their angles, equally, by the area nearest to each</source>
             <translation>Wie das Gewicht eines Feldes auf seine Ecken kommt: nach ihren Winkeln, zu gleichen Teilen, nach der Fläche, die jeder am nächsten liegt</translation>
         </message>
@@ -127,6 +135,14 @@
         <message>
             <source>How far the nodes still are from equilibrium</source>
             <translation>Wie weit die Knoten noch vom Gleichgewicht entfernt sind</translation>
+        </message>
+        <message>
+            <source>How high the sun stands above the horizon; below 5° it is taken for 5°</source>
+            <translation>Wie hoch die Sonne über dem Horizont steht; unter 5° gilt 5°</translation>
+        </message>
+        <message>
+            <source>How many times larger than it is the way from the source is drawn: 1 to 20</source>
+            <translation>Wie vielfach vergrößert der Weg von der Quelle gezeichnet wird: 1 bis 20</translation>
         </message>
         <message>
             <source>How members are laid on the face</source>
@@ -277,6 +293,14 @@
             <translation>Runden, die die Stäbe auf ihre Längen auf der Quelle zurückbringen; 0 für keine</translation>
         </message>
         <message>
+            <source>Show level ground at the lowest support, and the shadow on it</source>
+            <translation>Ebenen Boden am tiefsten Auflager zeigen, und den Schatten darauf</translation>
+        </message>
+        <message>
+            <source>Show the net as it was laid, pale, beside what it has become</source>
+            <translation>Das Netz, wie es gelegt wurde, blass neben dem zeigen, was daraus wurde</translation>
+        </message>
+        <message>
             <source>Show what force each colour stands for</source>
             <translation>Zeigen, für welche Kraft jede Farbe steht</translation>
         </message>
@@ -299,6 +323,10 @@
         <message>
             <source>Supports of their own, besides those of the recipe</source>
             <translation>Eigene Auflager, neben denen der Vorgabe</translation>
+        </message>
+        <message>
+            <source>Take its nodes from the supports before it in the gridshell's list, instead of adding to them</source>
+            <translation>Seine Knoten den Auflagern nehmen, die in der Liste der Gitterschale vor ihm stehen, statt zu ihnen hinzuzukommen</translation>
         </message>
         <message>
             <source>The face or faces that the net lies on</source>
@@ -385,6 +413,10 @@
             <translation>Was jedes der SourceElements ist</translation>
         </message>
         <message>
+            <source>What is drawn of the gridshell: members, its covering, or both</source>
+            <translation>Was von der Gitterschale gezeichnet wird: Stäbe, Eindeckung oder beides</translation>
+        </message>
+        <message>
             <source>What is equal from cell to cell: the length on the face, or the surface's parameters</source>
             <translation>Was von Zelle zu Zelle gleich ist: die Länge auf der Fläche, oder die Parameter der Fläche</translation>
         </message>
@@ -411,6 +443,10 @@
         <message>
             <source>Where the shell stands</source>
             <translation>Worauf die Schale steht</translation>
+        </message>
+        <message>
+            <source>Where the sun stands, from north (y) clockwise: 180° is in the south</source>
+            <translation>Wo die Sonne steht, von Norden (y) im Uhrzeigersinn: 180° ist Süden</translation>
         </message>
         <message>
             <source>Whether that was turned</source>
@@ -453,7 +489,7 @@
         </message>
         <message>
             <source>Along isolines</source>
-            <translation>Entlang der Isolinien</translation>
+            <translation>Auf Isolinien</translation>
         </message>
         <message>
             <source>Alternating</source>
@@ -484,8 +520,20 @@
             <translation>Auto</translation>
         </message>
         <message>
+            <source>Axonometric</source>
+            <translation>Axonometrie</translation>
+        </message>
+        <message>
             <source>Back to {}</source>
             <translation>Zurück zu {}</translation>
+        </message>
+        <message>
+            <source>Bar height</source>
+            <translation>Stabhöhe</translation>
+        </message>
+        <message>
+            <source>Bar width</source>
+            <translation>Stabbreite</translation>
         </message>
         <message>
             <source>Begin again from the net as it lies on its source</source>
@@ -513,11 +561,11 @@
         </message>
         <message>
             <source>Cells along u</source>
-            <translation>Zellen entlang u</translation>
+            <translation>Zellen in u</translation>
         </message>
         <message>
             <source>Cells along v</source>
-            <translation>Zellen entlang v</translation>
+            <translation>Zellen in v</translation>
         </message>
         <message>
             <source>Centred</source>
@@ -530,6 +578,10 @@
         <message>
             <source>Choose one to see it, two (with Ctrl) to compare them; F2 renames. Without a choice the present form is shown.</source>
             <translation>Eine wählen, um sie zu sehen, zwei (mit Strg), um sie zu vergleichen; F2 benennt um. Ohne Wahl wird die jetzige Form gezeigt.</translation>
+        </message>
+        <message>
+            <source>Clear</source>
+            <translation>Leeren</translation>
         </message>
         <message>
             <source>Click a point: the gridshell takes its accuracy and method.</source>
@@ -584,8 +636,24 @@
             <translation>Diagrid</translation>
         </message>
         <message>
+            <source>Direction</source>
+            <translation>Richtung</translation>
+        </message>
+        <message>
+            <source>Displacement × {}</source>
+            <translation>Verschiebung × {}</translation>
+        </message>
+        <message>
+            <source>Display</source>
+            <translation>Darstellung</translation>
+        </message>
+        <message>
             <source>Divide curves</source>
             <translation>Kurven teilen</translation>
+        </message>
+        <message>
+            <source>Do again what was taken back</source>
+            <translation>Zurückgenommenes wieder tun</translation>
         </message>
         <message>
             <source>Do without, or end it while it goes on</source>
@@ -610,6 +678,14 @@
         <message>
             <source>Equal lengths</source>
             <translation>Gleiche Längen</translation>
+        </message>
+        <message>
+            <source>Every node of the border stands</source>
+            <translation>Jeder Knoten des Randes steht auf</translation>
+        </message>
+        <message>
+            <source>Exaggeration</source>
+            <translation>Überhöhung</translation>
         </message>
         <message>
             <source>Faces</source>
@@ -652,6 +728,10 @@
             <translation>Frei</translation>
         </message>
         <message>
+            <source>Front</source>
+            <translation>Vorne</translation>
+        </message>
+        <message>
             <source>Full lines: how far the nodes truly are from where they stand in equilibrium. Dashed lines: how far the solver says they are. Farther right is more accurate, lower is faster.</source>
             <translation>Volle Linien: wie weit die Knoten wirklich vom Gleichgewicht entfernt sind. Gestrichelt: wie weit sie es laut Löser sind. Weiter rechts ist genauer, tiefer ist schneller.</translation>
         </message>
@@ -672,8 +752,20 @@
             <translation>Gitterschale</translation>
         </message>
         <message>
+            <source>Ground, shadow</source>
+            <translation>Boden, Schatten</translation>
+        </message>
+        <message>
             <source>Hexagon</source>
             <translation>Sechseck</translation>
+        </message>
+        <message>
+            <source>Hold it in its place</source>
+            <translation>Hält sie an ihrem Ort</translation>
+        </message>
+        <message>
+            <source>Hold it nowhere, whatever the recipe or other supports say</source>
+            <translation>Hält sie nirgends, was auch Vorgabe oder andere Auflager sagen</translation>
         </message>
         <message>
             <source>How far the farthest node is from where it was laid</source>
@@ -684,8 +776,24 @@
             <translation>Wie weit die Knoten im Mittel von dort sind, wo sie gelegt wurden</translation>
         </message>
         <message>
+            <source>How stiff the chosen supports are: at the right end rigid, at the left end free</source>
+            <translation>Wie steif die gewählten Auflager sind: ganz rechts starr, ganz links frei</translation>
+        </message>
+        <message>
             <source>How the solve went, against time. Full line: distance from equilibrium, dashed: largest unbalanced force. The level line is what is asked for: below it a curve has arrived.</source>
             <translation>Verlauf der Lösung über der Zeit. Volle Linie: Abstand vom Gleichgewicht, gestrichelt: größte unausgeglichene Kraft. Die waagrechte Linie ist, was verlangt ist: darunter ist eine Kurve am Ziel.</translation>
+        </message>
+        <message>
+            <source>It stands on its corners</source>
+            <translation>Sie steht auf ihren Ecken</translation>
+        </message>
+        <message>
+            <source>It stands on its corners, and its borders stay in vertical planes</source>
+            <translation>Sie steht auf ihren Ecken, und ihre Ränder bleiben in lotrechten Ebenen</translation>
+        </message>
+        <message>
+            <source>It stands on its own supports alone</source>
+            <translation>Sie steht auf ihren eigenen Auflagern allein</translation>
         </message>
         <message>
             <source>Its unit</source>
@@ -752,8 +860,44 @@
             <translation>Längen weichen von denen auf der Quelle um {} % ab (quadr. Mittel)</translation>
         </message>
         <message>
-            <source>Less than {} mm from equilibrium</source>
-            <translation>Weniger als {} mm vom Gleichgewicht</translation>
+            <source>Less than {} from equilibrium</source>
+            <translation>Weniger als {} vom Gleichgewicht</translation>
+        </message>
+        <message>
+            <source>Let go of what is chosen in the list, or free the nodes that are picked</source>
+            <translation>Loslassen, was in der Liste gewählt ist, oder die markierten Knoten frei machen</translation>
+        </message>
+        <message>
+            <source>Let it slide in the plane across the direction that is chosen below</source>
+            <translation>Lässt sie in der Ebene gleiten, die quer zur unten gewählten Richtung liegt</translation>
+        </message>
+        <message>
+            <source>Let it slide in the vertical plane of its edge or of the border</source>
+            <translation>Lässt sie in der lotrechten Ebene ihrer Kante oder des Randes gleiten</translation>
+        </message>
+        <message>
+            <source>Let it slide on a line in the direction that is chosen below</source>
+            <translation>Lässt sie auf einer Linie in der unten gewählten Richtung gleiten</translation>
+        </message>
+        <message>
+            <source>Let it slide up and down</source>
+            <translation>Lässt sie auf und ab gleiten</translation>
+        </message>
+        <message>
+            <source>Lift</source>
+            <translation>Lösen</translation>
+        </message>
+        <message>
+            <source>Line along</source>
+            <translation>Linie entlang</translation>
+        </message>
+        <message>
+            <source>Lines</source>
+            <translation>Linien</translation>
+        </message>
+        <message>
+            <source>Lines and covering</source>
+            <translation>Linien und Eindeckung</translation>
         </message>
         <message>
             <source>Longest</source>
@@ -800,10 +944,6 @@
             <translation>Stäbe</translation>
         </message>
         <message>
-            <source>Members and supports</source>
-            <translation>Stäbe und Auflager</translation>
-        </message>
-        <message>
             <source>Members up to {} times as long as on the face: stiffer ones stretch less</source>
             <translation>Stäbe bis zu {}-mal so lang wie auf der Fläche: steifere dehnen sich weniger</translation>
         </message>
@@ -832,8 +972,16 @@
             <translation>Newton</translation>
         </message>
         <message>
+            <source>No tool (Esc): a click on a mark chooses its support in the list</source>
+            <translation>Kein Werkzeug (Esc): ein Klick auf ein Zeichen wählt sein Auflager in der Liste</translation>
+        </message>
+        <message>
             <source>Nodes</source>
             <translation>Knoten</translation>
+        </message>
+        <message>
+            <source>Nodes picked: {}</source>
+            <translation>Knoten markiert: {}</translation>
         </message>
         <message>
             <source>None</source>
@@ -900,6 +1048,42 @@
             <translation>Angehalten</translation>
         </message>
         <message>
+            <source>Pick all nodes on an edge of the source: click near it</source>
+            <translation>Alle Knoten auf einer Kante der Quelle markieren: in ihre Nähe klicken</translation>
+        </message>
+        <message>
+            <source>Pick nodes in the 3D view with one of the tools, or choose a support.</source>
+            <translation>Knoten in der 3D-Ansicht mit einem der Werkzeuge markieren, oder ein Auflager wählen.</translation>
+        </message>
+        <message>
+            <source>Pick nodes: click one, or drag a box; with Alt a lasso. Shift adds to what is picked</source>
+            <translation>Knoten markieren: einen anklicken oder ein Rechteck ziehen; mit Alt ein Lasso. Umschalt fügt hinzu</translation>
+        </message>
+        <message>
+            <source>Pick nothing</source>
+            <translation>Nichts markieren</translation>
+        </message>
+        <message>
+            <source>Pick the nodes in a box. Shift adds to what is picked</source>
+            <translation>Die Knoten in einem Rechteck markieren. Umschalt fügt hinzu</translation>
+        </message>
+        <message>
+            <source>Pick the nodes within a line drawn by hand. Shift adds to what is picked</source>
+            <translation>Die Knoten innerhalb einer Freihandlinie markieren. Umschalt fügt hinzu</translation>
+        </message>
+        <message>
+            <source>Picked: {}, {} nodes</source>
+            <translation>Markiert: {}, {} Knoten</translation>
+        </message>
+        <message>
+            <source>Plan</source>
+            <translation>Grundriss</translation>
+        </message>
+        <message>
+            <source>Plane across</source>
+            <translation>Ebene quer zu</translation>
+        </message>
+        <message>
             <source>Points</source>
             <translation>Punkte</translation>
         </message>
@@ -918,6 +1102,30 @@
         <message>
             <source>Raise</source>
             <translation>Heben</translation>
+        </message>
+        <message>
+            <source>Raise or lower a node: drag it along z, and the net is laid anew</source>
+            <translation>Einen Knoten heben oder senken: ihn entlang z ziehen, und das Netz wird neu gelegt</translation>
+        </message>
+        <message>
+            <source>Recipe {}: {} nodes</source>
+            <translation>Vorgabe {}: {} Knoten</translation>
+        </message>
+        <message>
+            <source>Recipe: {}</source>
+            <translation>Vorgabe: {}</translation>
+        </message>
+        <message>
+            <source>Rectangular bars</source>
+            <translation>Rechteckige Stäbe</translation>
+        </message>
+        <message>
+            <source>Rectangular bars and covering</source>
+            <translation>Rechteckige Stäbe und Eindeckung</translation>
+        </message>
+        <message>
+            <source>Redo</source>
+            <translation>Wiederholen</translation>
         </message>
         <message>
             <source>Relax slowly</source>
@@ -948,8 +1156,20 @@
             <translation>Rippen v</translation>
         </message>
         <message>
+            <source>Rigid</source>
+            <translation>Starr</translation>
+        </message>
+        <message>
             <source>Rise</source>
             <translation>Stich</translation>
+        </message>
+        <message>
+            <source>Round bars</source>
+            <translation>Runde Stäbe</translation>
+        </message>
+        <message>
+            <source>Round bars and covering</source>
+            <translation>Runde Stäbe und Eindeckung</translation>
         </message>
         <message>
             <source>Ruled faces</source>
@@ -992,6 +1212,10 @@
             <translation>Zeigen</translation>
         </message>
         <message>
+            <source>Side</source>
+            <translation>Seite</translation>
+        </message>
+        <message>
             <source>Snow</source>
             <translation>Schnee</translation>
         </message>
@@ -1012,24 +1236,40 @@
             <translation>Quelle</translation>
         </message>
         <message>
+            <source>Source, pale</source>
+            <translation>Quelle, blass</translation>
+        </message>
+        <message>
             <source>Start (u, v)</source>
             <translation>Anfang (u, v)</translation>
         </message>
         <message>
             <source>Step along u</source>
-            <translation>Schritt entlang u</translation>
+            <translation>Schritt in u</translation>
         </message>
         <message>
             <source>Step along v</source>
-            <translation>Schritt entlang v</translation>
+            <translation>Schritt in v</translation>
+        </message>
+        <message>
+            <source>Stiffness</source>
+            <translation>Steifigkeit</translation>
         </message>
         <message>
             <source>Stiffness EA</source>
-            <translation>Dehnsteifigkeit EA</translation>
+            <translation>Steifigkeit EA</translation>
         </message>
         <message>
             <source>Stop measuring; what was measured stays</source>
             <translation>Aufhören zu messen; was gemessen wurde, bleibt</translation>
+        </message>
+        <message>
+            <source>Sun altitude</source>
+            <translation>Sonnenhöhe</translation>
+        </message>
+        <message>
+            <source>Sun azimuth</source>
+            <translation>Sonne, Azimut</translation>
         </message>
         <message>
             <source>Support</source>
@@ -1044,6 +1284,10 @@
             <translation>Tabelle und ein Bild gleichen Namens (*.csv)</translation>
         </message>
         <message>
+            <source>Take back the last step in this section</source>
+            <translation>Den letzten Schritt in diesem Abschnitt zurücknehmen</translation>
+        </message>
+        <message>
             <source>Take out</source>
             <translation>Herausnehmen</translation>
         </message>
@@ -1056,6 +1300,10 @@
             <translation>Das ist weniger als {}: es darf entfallen.</translation>
         </message>
         <message>
+            <source>The direction of a line, or the normal of a plane: an axis, or a straight edge or plane face that is selected</source>
+            <translation>Die Richtung einer Linie oder die Normale einer Ebene: eine Achse, oder eine gerade Kante oder ebene Fläche, die gewählt ist</translation>
+        </message>
+        <message>
             <source>The gridshell has changed since this was begun: press “Measure again”.</source>
             <translation>Die Gitterschale hat sich seit Beginn geändert: „Erneut messen“ drücken.</translation>
         </message>
@@ -1064,8 +1312,20 @@
             <translation>Die Anleitung fehlt: {}. Das Addon neu installieren.</translation>
         </message>
         <message>
+            <source>The lowest nodes stand</source>
+            <translation>Die tiefsten Knoten stehen auf</translation>
+        </message>
+        <message>
             <source>The members cannot carry these loads.</source>
             <translation>Die Stäbe können diese Lasten nicht tragen.</translation>
+        </message>
+        <message>
+            <source>The rims of openings stand</source>
+            <translation>Die Ränder der Öffnungen stehen auf</translation>
+        </message>
+        <message>
+            <source>The way from the source is drawn {} times as long. Figures are the true ones.</source>
+            <translation>Der Weg von der Quelle ist {}-mal so lang gezeichnet. Die Zahlen sind die wahren.</translation>
         </message>
         <message>
             <source>Together these may move it by {}: leave out one, then measure again.</source>
@@ -1080,8 +1340,16 @@
             <translation>Dreiecke</translation>
         </message>
         <message>
+            <source>Turn the view, and let it hold the whole net: {}</source>
+            <translation>Die Ansicht drehen, sodass das ganze Netz darin ist: {}</translation>
+        </message>
+        <message>
             <source>Turned</source>
             <translation>Gedreht</translation>
+        </message>
+        <message>
+            <source>Undo</source>
+            <translation>Rückgängig</translation>
         </message>
         <message>
             <source>Undo and redo end the panel of {}: its inputs no longer hold.</source>
@@ -1092,12 +1360,24 @@
             <translation>Ohne Abgleich</translation>
         </message>
         <message>
+            <source>Upright line</source>
+            <translation>Lotrechte Linie</translation>
+        </message>
+        <message>
+            <source>Upright plane</source>
+            <translation>Lotrechte Ebene</translation>
+        </message>
+        <message>
             <source>Use selected faces</source>
             <translation>Gewählte Flächen</translation>
         </message>
         <message>
             <source>Variant {}</source>
             <translation>Variante {}</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>Ansicht</translation>
         </message>
         <message>
             <source>Voronoi</source>
@@ -1140,6 +1420,14 @@
             <translation>Was Einwirkungen kosten</translation>
         </message>
         <message>
+            <source>What is chosen here is ringed in the 3D view, and changed below</source>
+            <translation>Was hier gewählt ist, ist in der 3D-Ansicht umringt und wird unten geändert</translation>
+        </message>
+        <message>
+            <source>What is selected is curved and has no one direction: select a straight edge or a plane face.</source>
+            <translation>Das Gewählte ist gekrümmt und hat keine eine Richtung: eine gerade Kante oder ebene Fläche wählen.</translation>
+        </message>
+        <message>
             <source>Whether it stands in compression only</source>
             <translation>Ob sie nur unter Druck steht</translation>
         </message>
@@ -1158,6 +1446,10 @@
         <message>
             <source>Zigzag</source>
             <translation>Zickzack</translation>
+        </message>
+        <message>
+            <source>a recipe for all nodes that no support speaks of</source>
+            <translation>eine Vorgabe für alle Knoten, von denen kein Auflager spricht</translation>
         </message>
         <message>
             <source>about {}</source>
@@ -1196,12 +1488,36 @@
             <translation>Abstand vom Gleichgewicht</translation>
         </message>
         <message>
+            <source>fixed</source>
+            <translation>fest</translation>
+        </message>
+        <message>
+            <source>free</source>
+            <translation>frei</translation>
+        </message>
+        <message>
             <source>no</source>
             <translation>nein</translation>
         </message>
         <message>
             <source>off</source>
             <translation>aus</translation>
+        </message>
+        <message>
+            <source>on a line</source>
+            <translation>auf einer Linie</translation>
+        </message>
+        <message>
+            <source>on a plane</source>
+            <translation>auf einer Ebene</translation>
+        </message>
+        <message>
+            <source>on its vertical line</source>
+            <translation>auf ihrer lotrechten Linie</translation>
+        </message>
+        <message>
+            <source>on its vertical plane</source>
+            <translation>auf ihrer lotrechten Ebene</translation>
         </message>
         <message>
             <source>point loads</source>
@@ -1214,6 +1530,14 @@
         <message>
             <source>residual {:.0e}</source>
             <translation>Residuum {:.0e}</translation>
+        </message>
+        <message>
+            <source>rigid</source>
+            <translation>starr</translation>
+        </message>
+        <message>
+            <source>selected edge or face</source>
+            <translation>gewählte Kante oder Fläche</translation>
         </message>
         <message>
             <source>snow</source>
@@ -1248,8 +1572,20 @@
             <translation>Zeit im Löser</translation>
         </message>
         <message>
+            <source>x</source>
+            <translation>x</translation>
+        </message>
+        <message>
+            <source>y</source>
+            <translation>y</translation>
+        </message>
+        <message>
             <source>yes</source>
             <translation>ja</translation>
+        </message>
+        <message>
+            <source>z, upright</source>
+            <translation>z, lotrecht</translation>
         </message>
         <message>
             <source>{} % faster</source>
@@ -1276,8 +1612,16 @@
             <translation>{} mit {}: {}, in Wahrheit {}</translation>
         </message>
         <message>
+            <source>{} edges and faces are selected: select one, in the model or the 3D view.</source>
+            <translation>{} Kanten und Flächen sind gewählt: eine wählen, im Modell oder in der 3D-Ansicht.</translation>
+        </message>
+        <message>
             <source>{} follows the expression {}: change that instead.</source>
             <translation>{} folgt dem Ausdruck {}: stattdessen diesen ändern.</translation>
+        </message>
+        <message>
+            <source>{} from equilibrium</source>
+            <translation>{} vom Gleichgewicht</translation>
         </message>
         <message>
             <source>{} gave up after {}, without coming as near as {}.</source>
@@ -1308,10 +1652,6 @@
             <translation>{} Stäbe sind schlaff: sie tragen nichts.</translation>
         </message>
         <message>
-            <source>{} mm from equilibrium</source>
-            <translation>{} mm vom Gleichgewicht</translation>
-        </message>
-        <message>
             <source>{} of {} is not what the net lies on: select edges of its source.</source>
             <translation>{} von {} ist nicht, worauf das Netz liegt: Kanten seiner Quelle wählen.</translation>
         </message>
@@ -1336,6 +1676,10 @@
             <translation>{} insgesamt, ausgeglichen bis auf {:.0e}</translation>
         </message>
         <message>
+            <source>{}, at {}</source>
+            <translation>{}, bei {}</translation>
+        </message>
+        <message>
             <source>{}, {} iterations</source>
             <translation>{}, {} Iterationen</translation>
         </message>
@@ -1354,6 +1698,10 @@
         <message>
             <source>{}: {}, {} % of the time, {} calls, {} kB.</source>
             <translation>{}: {}, {} % der Zeit, {} Aufrufe, {} kB.</translation>
+        </message>
+        <message>
+            <source>{}: {}, {} nodes</source>
+            <translation>{}: {}, {} Knoten</translation>
         </message>
         <message>
             <source>“{}” is not a value in {}. Write for example “12 {}”.</source>

@@ -81,6 +81,10 @@
             <translation>Gli spigoli curvi sono divisi in parti non più lunghe di questo; 0 per una sola asta ciascuno</translation>
         </message>
         <message>
+            <source>Diameter of round bars, and width of rectangular ones</source>
+            <translation>Diametro delle aste tonde e larghezza di quelle rettangolari</translation>
+        </message>
+        <message>
             <source>EA of the members, the force that would double their length: the lower, the higher the shell</source>
             <translation>EA delle aste, la forza che ne raddoppierebbe la lunghezza: più è bassa, più alta è la gridshell</translation>
         </message>
@@ -109,6 +113,10 @@
             <translation>Rinunciare dopo questo tempo; 0 per mai</translation>
         </message>
         <message>
+            <source>Height of rectangular bars, in the vertical plane of each</source>
+            <translation>Altezza delle aste rettangolari, nel piano verticale di ciascuna</translation>
+        </message>
+        <message>
             <source>How a panel's weight goes to its corners: by their angles, equally, by the area nearest to each</source>
             <translation>Come il peso di un pannello va ai suoi vertici: secondo gli angoli, in parti uguali, secondo l'area più vicina a ciascuno</translation>
         </message>
@@ -127,6 +135,14 @@
         <message>
             <source>How far the nodes still are from equilibrium</source>
             <translation>Quanto i nodi distano ancora dall'equilibrio</translation>
+        </message>
+        <message>
+            <source>How high the sun stands above the horizon; below 5° it is taken for 5°</source>
+            <translation>Quanto è alto il sole sull'orizzonte; sotto 5° vale 5°</translation>
+        </message>
+        <message>
+            <source>How many times larger than it is the way from the source is drawn: 1 to 20</source>
+            <translation>Quante volte più grande del vero è disegnata la distanza dalla sorgente: da 1 a 20</translation>
         </message>
         <message>
             <source>How members are laid on the face</source>
@@ -277,6 +293,14 @@
             <translation>Cicli che riportano le aste alle loro lunghezze sulla sorgente; 0 per nessuno</translation>
         </message>
         <message>
+            <source>Show level ground at the lowest support, and the shadow on it</source>
+            <translation>Mostrare il terreno piano al vincolo più basso, e l'ombra su di esso</translation>
+        </message>
+        <message>
+            <source>Show the net as it was laid, pale, beside what it has become</source>
+            <translation>Mostrare il reticolo com'era steso, pallido, accanto a ciò che è diventato</translation>
+        </message>
+        <message>
             <source>Show what force each colour stands for</source>
             <translation>Mostrare quale forza significa ogni colore</translation>
         </message>
@@ -299,6 +323,10 @@
         <message>
             <source>Supports of their own, besides those of the recipe</source>
             <translation>Vincoli propri, oltre a quelli dello schema</translation>
+        </message>
+        <message>
+            <source>Take its nodes from the supports before it in the gridshell's list, instead of adding to them</source>
+            <translation>Togliere i suoi nodi ai vincoli che lo precedono nella lista della gridshell, invece di aggiungersi</translation>
         </message>
         <message>
             <source>The face or faces that the net lies on</source>
@@ -385,6 +413,10 @@
             <translation>Che cosa è ciascuno dei SourceElements</translation>
         </message>
         <message>
+            <source>What is drawn of the gridshell: members, its covering, or both</source>
+            <translation>Che cosa si disegna della gridshell: aste, copertura o entrambe</translation>
+        </message>
+        <message>
             <source>What is equal from cell to cell: the length on the face, or the surface's parameters</source>
             <translation>Che cosa è uguale da cella a cella: la lunghezza sulla faccia, o i parametri della superficie</translation>
         </message>
@@ -411,6 +443,10 @@
         <message>
             <source>Where the shell stands</source>
             <translation>Dove sta la gridshell</translation>
+        </message>
+        <message>
+            <source>Where the sun stands, from north (y) clockwise: 180° is in the south</source>
+            <translation>Dove sta il sole, da nord (y) in senso orario: 180° è sud</translation>
         </message>
         <message>
             <source>Whether that was turned</source>
@@ -453,7 +489,7 @@
         </message>
         <message>
             <source>Along isolines</source>
-            <translation>Lungo le isolinee</translation>
+            <translation>Su isolinee</translation>
         </message>
         <message>
             <source>Alternating</source>
@@ -484,8 +520,20 @@
             <translation>Auto</translation>
         </message>
         <message>
+            <source>Axonometric</source>
+            <translation>Assonometria</translation>
+        </message>
+        <message>
             <source>Back to {}</source>
             <translation>Torna a {}</translation>
+        </message>
+        <message>
+            <source>Bar height</source>
+            <translation>Altezza asta</translation>
+        </message>
+        <message>
+            <source>Bar width</source>
+            <translation>Largh. asta</translation>
         </message>
         <message>
             <source>Begin again from the net as it lies on its source</source>
@@ -513,11 +561,11 @@
         </message>
         <message>
             <source>Cells along u</source>
-            <translation>Celle lungo u</translation>
+            <translation>Celle in u</translation>
         </message>
         <message>
             <source>Cells along v</source>
-            <translation>Celle lungo v</translation>
+            <translation>Celle in v</translation>
         </message>
         <message>
             <source>Centred</source>
@@ -530,6 +578,10 @@
         <message>
             <source>Choose one to see it, two (with Ctrl) to compare them; F2 renames. Without a choice the present form is shown.</source>
             <translation>Sceglierne una per vederla, due (con Ctrl) per confrontarle; F2 rinomina. Senza scelta si vede la forma attuale.</translation>
+        </message>
+        <message>
+            <source>Clear</source>
+            <translation>Svuota</translation>
         </message>
         <message>
             <source>Click a point: the gridshell takes its accuracy and method.</source>
@@ -584,8 +636,24 @@
             <translation>Diagrid</translation>
         </message>
         <message>
+            <source>Direction</source>
+            <translation>Direzione</translation>
+        </message>
+        <message>
+            <source>Displacement × {}</source>
+            <translation>Spostamento × {}</translation>
+        </message>
+        <message>
+            <source>Display</source>
+            <translation>Aspetto</translation>
+        </message>
+        <message>
             <source>Divide curves</source>
             <translation>Dividi le curve</translation>
+        </message>
+        <message>
+            <source>Do again what was taken back</source>
+            <translation>Rifare ciò che è stato annullato</translation>
         </message>
         <message>
             <source>Do without, or end it while it goes on</source>
@@ -610,6 +678,14 @@
         <message>
             <source>Equal lengths</source>
             <translation>Lunghezze uguali</translation>
+        </message>
+        <message>
+            <source>Every node of the border stands</source>
+            <translation>Ogni nodo del bordo appoggia</translation>
+        </message>
+        <message>
+            <source>Exaggeration</source>
+            <translation>Amplificazione</translation>
         </message>
         <message>
             <source>Faces</source>
@@ -652,6 +728,10 @@
             <translation>Libero</translation>
         </message>
         <message>
+            <source>Front</source>
+            <translation>Fronte</translation>
+        </message>
+        <message>
             <source>Full lines: how far the nodes truly are from where they stand in equilibrium. Dashed lines: how far the solver says they are. Farther right is more accurate, lower is faster.</source>
             <translation>Linee piene: quanto i nodi distano davvero dall'equilibrio. Tratteggiate: quanto ne distano secondo il solutore. Più a destra è più preciso, più in basso più veloce.</translation>
         </message>
@@ -672,8 +752,20 @@
             <translation>Gridshell</translation>
         </message>
         <message>
+            <source>Ground, shadow</source>
+            <translation>Terreno, ombra</translation>
+        </message>
+        <message>
             <source>Hexagon</source>
             <translation>Esagono</translation>
+        </message>
+        <message>
+            <source>Hold it in its place</source>
+            <translation>Tiene al suo posto</translation>
+        </message>
+        <message>
+            <source>Hold it nowhere, whatever the recipe or other supports say</source>
+            <translation>Non tiene affatto, qualunque cosa dicano lo schema o altri vincoli</translation>
         </message>
         <message>
             <source>How far the farthest node is from where it was laid</source>
@@ -684,8 +776,24 @@
             <translation>Quanto i nodi distano in media da dove erano stesi</translation>
         </message>
         <message>
+            <source>How stiff the chosen supports are: at the right end rigid, at the left end free</source>
+            <translation>Quanto sono rigidi i vincoli scelti: a destra rigidi, a sinistra liberi</translation>
+        </message>
+        <message>
             <source>How the solve went, against time. Full line: distance from equilibrium, dashed: largest unbalanced force. The level line is what is asked for: below it a curve has arrived.</source>
             <translation>Andamento della soluzione nel tempo. Linea piena: distanza dall'equilibrio, tratteggiata: massima forza non equilibrata. La linea orizzontale è ciò che si chiede: sotto di essa una curva è arrivata.</translation>
+        </message>
+        <message>
+            <source>It stands on its corners</source>
+            <translation>Sta sui suoi angoli</translation>
+        </message>
+        <message>
+            <source>It stands on its corners, and its borders stay in vertical planes</source>
+            <translation>Sta sui suoi angoli, e i suoi bordi restano in piani verticali</translation>
+        </message>
+        <message>
+            <source>It stands on its own supports alone</source>
+            <translation>Sta soltanto sui propri vincoli</translation>
         </message>
         <message>
             <source>Its unit</source>
@@ -752,8 +860,44 @@
             <translation>Le lunghezze differiscono da quelle sulla sorgente del {} % (rms)</translation>
         </message>
         <message>
-            <source>Less than {} mm from equilibrium</source>
-            <translation>Meno di {} mm dall'equilibrio</translation>
+            <source>Less than {} from equilibrium</source>
+            <translation>Meno di {} dall'equilibrio</translation>
+        </message>
+        <message>
+            <source>Let go of what is chosen in the list, or free the nodes that are picked</source>
+            <translation>Lasciare ciò che è scelto nella lista, o liberare i nodi presi</translation>
+        </message>
+        <message>
+            <source>Let it slide in the plane across the direction that is chosen below</source>
+            <translation>Lascia scorrere nel piano perpendicolare alla direzione scelta sotto</translation>
+        </message>
+        <message>
+            <source>Let it slide in the vertical plane of its edge or of the border</source>
+            <translation>Lascia scorrere nel piano verticale del suo spigolo o del bordo</translation>
+        </message>
+        <message>
+            <source>Let it slide on a line in the direction that is chosen below</source>
+            <translation>Lascia scorrere su una linea nella direzione scelta sotto</translation>
+        </message>
+        <message>
+            <source>Let it slide up and down</source>
+            <translation>Lascia scorrere in su e in giù</translation>
+        </message>
+        <message>
+            <source>Lift</source>
+            <translation>Togli</translation>
+        </message>
+        <message>
+            <source>Line along</source>
+            <translation>Linea lungo</translation>
+        </message>
+        <message>
+            <source>Lines</source>
+            <translation>Linee</translation>
+        </message>
+        <message>
+            <source>Lines and covering</source>
+            <translation>Linee e copertura</translation>
         </message>
         <message>
             <source>Longest</source>
@@ -800,10 +944,6 @@
             <translation>Aste</translation>
         </message>
         <message>
-            <source>Members and supports</source>
-            <translation>Aste e vincoli</translation>
-        </message>
-        <message>
             <source>Members up to {} times as long as on the face: stiffer ones stretch less</source>
             <translation>Aste fino a {} volte più lunghe che sulla faccia: più rigide si allungano meno</translation>
         </message>
@@ -832,8 +972,16 @@
             <translation>Newton</translation>
         </message>
         <message>
+            <source>No tool (Esc): a click on a mark chooses its support in the list</source>
+            <translation>Nessuno strumento (Esc): un clic su un segno sceglie il suo vincolo nella lista</translation>
+        </message>
+        <message>
             <source>Nodes</source>
             <translation>Nodi</translation>
+        </message>
+        <message>
+            <source>Nodes picked: {}</source>
+            <translation>Nodi presi: {}</translation>
         </message>
         <message>
             <source>None</source>
@@ -900,6 +1048,42 @@
             <translation>In pausa</translation>
         </message>
         <message>
+            <source>Pick all nodes on an edge of the source: click near it</source>
+            <translation>Prendere tutti i nodi su uno spigolo della sorgente: fare clic vicino</translation>
+        </message>
+        <message>
+            <source>Pick nodes in the 3D view with one of the tools, or choose a support.</source>
+            <translation>Prendere nodi nella vista 3D con uno degli strumenti, o scegliere un vincolo.</translation>
+        </message>
+        <message>
+            <source>Pick nodes: click one, or drag a box; with Alt a lasso. Shift adds to what is picked</source>
+            <translation>Prendere nodi: fare clic su uno o tirare un riquadro; con Alt un lazo. Maiusc aggiunge</translation>
+        </message>
+        <message>
+            <source>Pick nothing</source>
+            <translation>Non prendere nulla</translation>
+        </message>
+        <message>
+            <source>Pick the nodes in a box. Shift adds to what is picked</source>
+            <translation>Prendere i nodi in un riquadro. Maiusc aggiunge</translation>
+        </message>
+        <message>
+            <source>Pick the nodes within a line drawn by hand. Shift adds to what is picked</source>
+            <translation>Prendere i nodi entro una linea a mano libera. Maiusc aggiunge</translation>
+        </message>
+        <message>
+            <source>Picked: {}, {} nodes</source>
+            <translation>Presi: {}, {} nodi</translation>
+        </message>
+        <message>
+            <source>Plan</source>
+            <translation>Pianta</translation>
+        </message>
+        <message>
+            <source>Plane across</source>
+            <translation>Piano normale a</translation>
+        </message>
+        <message>
             <source>Points</source>
             <translation>Punti</translation>
         </message>
@@ -918,6 +1102,30 @@
         <message>
             <source>Raise</source>
             <translation>Alza</translation>
+        </message>
+        <message>
+            <source>Raise or lower a node: drag it along z, and the net is laid anew</source>
+            <translation>Alzare o abbassare un nodo: trascinarlo lungo z, e il reticolo è steso di nuovo</translation>
+        </message>
+        <message>
+            <source>Recipe {}: {} nodes</source>
+            <translation>Schema {}: {} nodi</translation>
+        </message>
+        <message>
+            <source>Recipe: {}</source>
+            <translation>Schema: {}</translation>
+        </message>
+        <message>
+            <source>Rectangular bars</source>
+            <translation>Aste rettangolari</translation>
+        </message>
+        <message>
+            <source>Rectangular bars and covering</source>
+            <translation>Aste rettangolari e copertura</translation>
+        </message>
+        <message>
+            <source>Redo</source>
+            <translation>Ripeti</translation>
         </message>
         <message>
             <source>Relax slowly</source>
@@ -948,8 +1156,20 @@
             <translation>Nervature v</translation>
         </message>
         <message>
+            <source>Rigid</source>
+            <translation>Rigido</translation>
+        </message>
+        <message>
             <source>Rise</source>
             <translation>Freccia</translation>
+        </message>
+        <message>
+            <source>Round bars</source>
+            <translation>Aste tonde</translation>
+        </message>
+        <message>
+            <source>Round bars and covering</source>
+            <translation>Aste tonde e copertura</translation>
         </message>
         <message>
             <source>Ruled faces</source>
@@ -992,6 +1212,10 @@
             <translation>Mostra</translation>
         </message>
         <message>
+            <source>Side</source>
+            <translation>Lato</translation>
+        </message>
+        <message>
             <source>Snow</source>
             <translation>Neve</translation>
         </message>
@@ -1012,16 +1236,24 @@
             <translation>Sorgente</translation>
         </message>
         <message>
+            <source>Source, pale</source>
+            <translation>Sorgente, pallida</translation>
+        </message>
+        <message>
             <source>Start (u, v)</source>
             <translation>Inizio (u, v)</translation>
         </message>
         <message>
             <source>Step along u</source>
-            <translation>Passo lungo u</translation>
+            <translation>Passo in u</translation>
         </message>
         <message>
             <source>Step along v</source>
-            <translation>Passo lungo v</translation>
+            <translation>Passo in v</translation>
+        </message>
+        <message>
+            <source>Stiffness</source>
+            <translation>Rigidezza</translation>
         </message>
         <message>
             <source>Stiffness EA</source>
@@ -1030,6 +1262,14 @@
         <message>
             <source>Stop measuring; what was measured stays</source>
             <translation>Smettere di misurare; ciò che è stato misurato resta</translation>
+        </message>
+        <message>
+            <source>Sun altitude</source>
+            <translation>Altezza sole</translation>
+        </message>
+        <message>
+            <source>Sun azimuth</source>
+            <translation>Azimut del sole</translation>
         </message>
         <message>
             <source>Support</source>
@@ -1044,6 +1284,10 @@
             <translation>Tabella, e un'immagine con lo stesso nome (*.csv)</translation>
         </message>
         <message>
+            <source>Take back the last step in this section</source>
+            <translation>Annullare l'ultimo passo in questa sezione</translation>
+        </message>
+        <message>
             <source>Take out</source>
             <translation>Togli</translation>
         </message>
@@ -1056,6 +1300,10 @@
             <translation>È meno di {}: si può togliere.</translation>
         </message>
         <message>
+            <source>The direction of a line, or the normal of a plane: an axis, or a straight edge or plane face that is selected</source>
+            <translation>La direzione di una linea o la normale di un piano: un asse, oppure uno spigolo retto o una faccia piana scelti</translation>
+        </message>
+        <message>
             <source>The gridshell has changed since this was begun: press “Measure again”.</source>
             <translation>La gridshell è cambiata da quando si è iniziato: premere «Misura di nuovo».</translation>
         </message>
@@ -1064,8 +1312,20 @@
             <translation>Manca la guida: {}. Reinstallare l'addon.</translation>
         </message>
         <message>
+            <source>The lowest nodes stand</source>
+            <translation>I nodi più bassi appoggiano</translation>
+        </message>
+        <message>
             <source>The members cannot carry these loads.</source>
             <translation>Le aste non possono portare questi carichi.</translation>
+        </message>
+        <message>
+            <source>The rims of openings stand</source>
+            <translation>I bordi delle aperture appoggiano</translation>
+        </message>
+        <message>
+            <source>The way from the source is drawn {} times as long. Figures are the true ones.</source>
+            <translation>La distanza dalla sorgente è disegnata {} volte più lunga. Le cifre sono quelle vere.</translation>
         </message>
         <message>
             <source>Together these may move it by {}: leave out one, then measure again.</source>
@@ -1080,8 +1340,16 @@
             <translation>Triangoli</translation>
         </message>
         <message>
+            <source>Turn the view, and let it hold the whole net: {}</source>
+            <translation>Girare la vista perché contenga tutto il reticolo: {}</translation>
+        </message>
+        <message>
             <source>Turned</source>
             <translation>Ruotato</translation>
+        </message>
+        <message>
+            <source>Undo</source>
+            <translation>Annulla</translation>
         </message>
         <message>
             <source>Undo and redo end the panel of {}: its inputs no longer hold.</source>
@@ -1092,12 +1360,24 @@
             <translation>Non mantenere</translation>
         </message>
         <message>
+            <source>Upright line</source>
+            <translation>Linea verticale</translation>
+        </message>
+        <message>
+            <source>Upright plane</source>
+            <translation>Piano verticale</translation>
+        </message>
+        <message>
             <source>Use selected faces</source>
             <translation>Facce scelte</translation>
         </message>
         <message>
             <source>Variant {}</source>
             <translation>Variante {}</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>Vista</translation>
         </message>
         <message>
             <source>Voronoi</source>
@@ -1140,6 +1420,14 @@
             <translation>Quanto costano gli effetti</translation>
         </message>
         <message>
+            <source>What is chosen here is ringed in the 3D view, and changed below</source>
+            <translation>Ciò che è scelto qui è cerchiato nella vista 3D, e si cambia sotto</translation>
+        </message>
+        <message>
+            <source>What is selected is curved and has no one direction: select a straight edge or a plane face.</source>
+            <translation>Ciò che è scelto è curvo e non ha una sola direzione: scegliere uno spigolo retto o una faccia piana.</translation>
+        </message>
+        <message>
             <source>Whether it stands in compression only</source>
             <translation>Se sta in sola compressione</translation>
         </message>
@@ -1158,6 +1446,10 @@
         <message>
             <source>Zigzag</source>
             <translation>Zigzag</translation>
+        </message>
+        <message>
+            <source>a recipe for all nodes that no support speaks of</source>
+            <translation>uno schema per tutti i nodi di cui nessun vincolo parla</translation>
         </message>
         <message>
             <source>about {}</source>
@@ -1196,12 +1488,36 @@
             <translation>distanza dall'equilibrio</translation>
         </message>
         <message>
+            <source>fixed</source>
+            <translation>fisso</translation>
+        </message>
+        <message>
+            <source>free</source>
+            <translation>libero</translation>
+        </message>
+        <message>
             <source>no</source>
             <translation>no</translation>
         </message>
         <message>
             <source>off</source>
             <translation>no</translation>
+        </message>
+        <message>
+            <source>on a line</source>
+            <translation>su una linea</translation>
+        </message>
+        <message>
+            <source>on a plane</source>
+            <translation>su un piano</translation>
+        </message>
+        <message>
+            <source>on its vertical line</source>
+            <translation>sulla sua linea verticale</translation>
+        </message>
+        <message>
+            <source>on its vertical plane</source>
+            <translation>sul suo piano verticale</translation>
         </message>
         <message>
             <source>point loads</source>
@@ -1214,6 +1530,14 @@
         <message>
             <source>residual {:.0e}</source>
             <translation>residuo {:.0e}</translation>
+        </message>
+        <message>
+            <source>rigid</source>
+            <translation>rigido</translation>
+        </message>
+        <message>
+            <source>selected edge or face</source>
+            <translation>spigolo o faccia scelti</translation>
         </message>
         <message>
             <source>snow</source>
@@ -1248,8 +1572,20 @@
             <translation>tempo nel solutore</translation>
         </message>
         <message>
+            <source>x</source>
+            <translation>x</translation>
+        </message>
+        <message>
+            <source>y</source>
+            <translation>y</translation>
+        </message>
+        <message>
             <source>yes</source>
             <translation>sì</translation>
+        </message>
+        <message>
+            <source>z, upright</source>
+            <translation>z, verticale</translation>
         </message>
         <message>
             <source>{} % faster</source>
@@ -1276,8 +1612,16 @@
             <translation>{} con {}: {}, in realtà {}</translation>
         </message>
         <message>
+            <source>{} edges and faces are selected: select one, in the model or the 3D view.</source>
+            <translation>Sono scelti {} spigoli e facce: sceglierne uno, nel modello o nella vista 3D.</translation>
+        </message>
+        <message>
             <source>{} follows the expression {}: change that instead.</source>
             <translation>{} segue l'espressione {}: cambiare quella.</translation>
+        </message>
+        <message>
+            <source>{} from equilibrium</source>
+            <translation>{} dall'equilibrio</translation>
         </message>
         <message>
             <source>{} gave up after {}, without coming as near as {}.</source>
@@ -1308,10 +1652,6 @@
             <translation>{} aste sono scariche: non portano nulla.</translation>
         </message>
         <message>
-            <source>{} mm from equilibrium</source>
-            <translation>{} mm dall'equilibrio</translation>
-        </message>
-        <message>
             <source>{} of {} is not what the net lies on: select edges of its source.</source>
             <translation>{} di {} non è ciò su cui sta il reticolo: scegliere spigoli della sua sorgente.</translation>
         </message>
@@ -1336,6 +1676,10 @@
             <translation>{} in tutto, in equilibrio a meno di {:.0e}</translation>
         </message>
         <message>
+            <source>{}, at {}</source>
+            <translation>{}, a {}</translation>
+        </message>
+        <message>
             <source>{}, {} iterations</source>
             <translation>{}, {} iterazioni</translation>
         </message>
@@ -1354,6 +1698,10 @@
         <message>
             <source>{}: {}, {} % of the time, {} calls, {} kB.</source>
             <translation>{}: {}, {} % del tempo, {} chiamate, {} kB.</translation>
+        </message>
+        <message>
+            <source>{}: {}, {} nodes</source>
+            <translation>{}: {}, {} nodi</translation>
         </message>
         <message>
             <source>“{}” is not a value in {}. Write for example “12 {}”.</source>

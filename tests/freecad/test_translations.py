@@ -32,7 +32,7 @@ def test_german_and_italian_are_shipped():
 
 def test_all_kinds_of_text_are_found(texts):
     assert ("Funicular", "Relax slowly") in texts  # of a widget
-    assert ("Funicular", "{} mm from equilibrium") in texts  # of a sentence that a document keeps
+    assert ("Funicular", "{} from equilibrium") in texts  # of a sentence that a document keeps
     assert ("Funicular_Gridshell", "Gridshell") in texts  # of a command
     assert ("App::Property", "How far from equilibrium the nodes may lie") in texts
     assert ("Funicular", "Along isolines") in texts  # to be chosen

@@ -9,9 +9,14 @@ FORCE_UNITS = {"N": 1.0, "kN": 1e3, "lbf": 4.4482216152605, "kip": 4448.22161526
 
 @dataclass(frozen=True)
 class Habits:
-    """How numbers are written. force_units: names in FORCE_UNITS, from small to large."""
+    """How numbers are written.
+
+    force_units: names in FORCE_UNITS, from small to large. short_length: a name, and the metres in one, for
+    what is small on a building.
+    """
 
     force_units: tuple = ("N", "kN")
+    short_length: tuple = ("mm", 1e-3)
     decimal_point: str = "."
 
 
@@ -57,6 +62,13 @@ def length_text(metres):
         if metres >= 0.9995 * size:
             return f"{number(metres / size, '.3g')} {unit}"
     return f"{metres:.0e} m"
+
+
+def short_length_text(metres):
+    """0.4 mm, 0.016 in: two digits, in the one unit in which small lengths are reckoned."""
+    name, size = habits().short_length
+    value = metres / size
+    return number(value, ".0f" if value >= 99.5 else ".2g") + f" {name}"
 
 
 def time_text(seconds):

@@ -365,7 +365,10 @@ def test_the_panel_in_feet_and_pounds(opened, schema, pictures, number):
     assert panel_box("CoveringWeight").text() == "6.14448 lb/ft²"
     assert panel_box("AxialStiffness").text() == "22.4809 kip"
     assert panel_box("Snow").text() == "0 psf"
+    assert panel_box("Accuracy").text() == "0.0393701 in" and " in from equilibrium" in line
     assert re.search(r"at most [\d.]+ (lbf|kip)", line) and "kN" not in line
+    type_into(panel_box("Accuracy"), "1/16 in")
+    assert opened.Accuracy.Value == pytest.approx(25.4 / 16)
     type_into(panel_box("Snow"), "20")
     assert opened.Snow.getValueAs("Pa").Value == pytest.approx(20 * 47.880259, rel=1e-5)
     type_into(panel_box("CoveringWeight"), "7.5 lb/ft²")

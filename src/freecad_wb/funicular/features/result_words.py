@@ -4,7 +4,7 @@
 import FreeCAD as App
 
 from ..panels import Cover
-from ..wording import force_text, number
+from ..wording import force_text, number, short_length_text
 
 translate = App.Qt.translate
 
@@ -12,8 +12,8 @@ translate = App.Qt.translate
 REMARKABLE_STRETCH = 1.5
 # Nor one that has fallen together.
 REMARKABLE_SHRINKAGE = 0.1
-# [mm]: what is less is of no use to anyone who builds.
-LEAST_TOLD = 0.001
+# [m]: what is less is of no use to anyone who builds.
+LEAST_TOLD = 1e-6
 
 # What a user can turn where the solver did not arrive.
 PROPERTIES_TO_CHANGE = {
@@ -65,10 +65,9 @@ def sentence_of(scene, result, certificate, left=None):
 
 def distance_text(position_error):
     """0.4 mm from equilibrium. position_error: [m]"""
-    away = position_error * 1e3
-    if away < LEAST_TOLD:
-        return translate("Funicular", "Less than {} mm from equilibrium").format(number(LEAST_TOLD, "g"))
-    return translate("Funicular", "{} mm from equilibrium").format(number(away, ".2g"))
+    if position_error < LEAST_TOLD:
+        return translate("Funicular", "Less than {} from equilibrium").format(short_length_text(LEAST_TOLD))
+    return translate("Funicular", "{} from equilibrium").format(short_length_text(position_error))
 
 
 def stretch_of(scene, result):

@@ -65,7 +65,9 @@ def install():
     """Put the page into FreeCAD's preferences, and let all sentences be written as it says."""
     FreeCADGui.addIconPath(funicular_locate.ICON_FOLDER)
     FreeCADGui.addPreferencePage(PAGE, "Funicular")
-    wording.habits = lambda: wording.Habits(force_units(), QtCore.QLocale().decimalPoint())
+    wording.habits = lambda: wording.Habits(
+        force_units(), ("in", 0.0254) if is_imperial() else ("mm", 1e-3), QtCore.QLocale().decimalPoint()
+    )
 
 
 def _group():

@@ -20,6 +20,10 @@ def unit_of(name, quantity):
     """The unit that the amount of a property is to be written in; None where FreeCAD's own box serves."""
     if name in METRIC:
         return (IMPERIAL if preferences.is_imperial() else METRIC)[name]
+    if name == "Accuracy":
+        # In feet and in metres its own box shows a millimetre as "0.00".
+        short = "in" if preferences.is_imperial() else "mm"
+        return None if quantity.getUserPreferred()[2] == short == "mm" else short
     if quantity.Unit.Type == "Force":
         units = preferences.force_units()
         # Stiffnesses are thousands of the smaller unit.
