@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A picture of each pattern, drawn from the lattice itself, to be seen on white as on black."""
+"""A picture of each pattern, drawn from the lattice itself, in the colours of the user's theme."""
 
 import funicular as fn
 
+from .icons import ink_of_window
 from .qt import QtCore, QtGui
 
 # Drawn larger than it is shown, so that it is sharp on a screen of any density.
 PIXELS, MARGIN = 96, 5
 CELLS = {"kagome": 2}
-# A style sheet may make a box dark and tell no palette of it.
-INK, INK_IF_CHOSEN = "#4a8ad0", "#ffffff"
 
 
 def pattern_icon(pattern):
@@ -22,18 +21,11 @@ def pattern_icon(pattern):
         lattice = fn.lattice(cells_u, max(1, round(cells_u * along_u / along_v)), pattern=name)
     except (ImportError, ValueError):
         return QtGui.QIcon()
-    icon = QtGui.QIcon()
-    icon.addPixmap(_drawn(lattice, name, INK), QtGui.QIcon.Normal)
-    icon.addPixmap(_drawn(lattice, name, INK_IF_CHOSEN), QtGui.QIcon.Selected)
-    return icon
-
-
-def _drawn(lattice, name, ink):
     pixmap = QtGui.QPixmap(PIXELS, PIXELS)
     pixmap.fill(QtCore.Qt.transparent)
     painter = QtGui.QPainter(pixmap)
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
-    pen = QtGui.QPen(QtGui.QColor(ink), 3.5)
+    pen = QtGui.QPen(ink_of_window(), 3.5)
     pen.setCapStyle(QtCore.Qt.RoundCap)
     painter.setPen(pen)
     extent = PIXELS - 2 * MARGIN
@@ -49,4 +41,4 @@ def _drawn(lattice, name, ink):
         for point in points:
             painter.drawPoint(point)
     painter.end()
-    return pixmap
+    return QtGui.QIcon(pixmap)
