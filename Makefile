@@ -40,6 +40,12 @@ gallery: build ## every pattern, and all that a net can lie on: docs/patterns.pn
 	@$(PYTHON) examples/gallery.py docs/patterns.png
 	@$(FREECAD) examples/sources.py docs/sources.png
 
+guide: build ## the pictures of docs/guide.md, taken in FreeCAD's window on a virtual display
+	@mkdir -p $(GUI_HOME)
+	@FREECAD_USER_HOME=$(GUI_HOME) $(FREECAD) tools/install.py --link
+	@FUNICULAR_GUIDE=docs/guide FREECAD_USER_HOME=$(GUI_HOME) LC_ALL=C.UTF-8 \
+	    $(DISPLAY_RUN) freecad $(CURDIR)/examples/guide.py
+
 accuracy: build ## what accuracy costs in time, by each method: docs/accuracy.png; some minutes
 	@$(PYTHON) examples/accuracy.py docs/accuracy.png
 
@@ -139,5 +145,5 @@ soak: build ## random scenes and mesh files for SOAK_SECONDS (600): new ones eve
 clean: ## remove build/ and the compiled module
 	rm -rf build src/freecad_wb/funicular/_core*.so
 
-.PHONY: help demo gallery accuracy gui install setup configure build lint format translations bench bench-peers test test-core test-sanitize test-house \
+.PHONY: help demo gallery guide accuracy gui install setup configure build lint format translations bench bench-peers test test-core test-sanitize test-house \
 	test-python test-freecad test-gui soak clean
