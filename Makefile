@@ -41,10 +41,10 @@ gallery: build ## every pattern, and all that a net can lie on: docs/patterns.pn
 	@$(FREECAD) examples/sources.py docs/sources.png
 
 guide: build ## the pictures of docs/guide.md, taken in FreeCAD's window on a virtual display
-	@mkdir -p $(GUI_HOME)
-	@FREECAD_USER_HOME=$(GUI_HOME) $(FREECAD) tools/install.py --link
-	@FUNICULAR_GUIDE=docs/guide FREECAD_USER_HOME=$(GUI_HOME) LC_ALL=C.UTF-8 \
-	    $(DISPLAY_RUN) freecad $(CURDIR)/examples/guide.py
+	@mkdir -p build/guide/home
+	@FREECAD_USER_HOME=$(CURDIR)/build/guide/home $(FREECAD) tools/install.py --link
+	@FREECAD_USER_HOME=$(CURDIR)/build/guide/home FUNICULAR_GUIDE=docs/guide LC_ALL=C.UTF-8 $(DISPLAY_RUN) \
+	    freecad $(CURDIR)/examples/guide.py > build/guide/log 2>&1 || { cat build/guide/log >&2; exit 1; }
 
 accuracy: build ## what accuracy costs in time, by each method: docs/accuracy.png; some minutes
 	@$(PYTHON) examples/accuracy.py docs/accuracy.png

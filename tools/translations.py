@@ -28,7 +28,7 @@ CONTEXT = "Funicular"
 OF_PROPERTIES = "App::Property"
 
 # Tables of words that modules without a window keep: module, attribute.
-TABLES = (("funicular.effect_costs", "NAMES"), ("funicular.gui.drawing.look", "DISPLAYS"))
+TABLES = (("funicular.effect_costs", "NAMES"),)
 
 LRELEASE = ("lrelease", "/usr/lib/qt5/bin/lrelease")
 
@@ -49,7 +49,7 @@ def texts_of_source(source):
     # The window's own function has the text first; FreeCAD.Qt.translate the context.
     text_first = any(
         isinstance(node, ast.ImportFrom)
-        and node.module == "funicular.gui.qt"
+        and (node.module or "").split(".")[-1] == "qt"
         and "translate" in [alias.name for alias in node.names]
         for node in ast.walk(tree)
     )
