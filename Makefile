@@ -36,9 +36,17 @@ help: ## this list
 demo: build ## headless FreeCAD on the shipped examples; files and pictures in build/demo/
 	$(FREECAD) examples/run_demo.py
 
-gallery: build ## every pattern, and all that a net can lie on: docs/patterns.png and docs/sources.png
+gallery: build ## patterns, what a net can lie on, and a filmed session: docs/patterns.png, sources.png, session.gif
 	@$(PYTHON) examples/gallery.py docs/patterns.png
 	@$(FREECAD) examples/sources.py docs/sources.png
+	@$(MAKE) --no-print-directory film
+
+film: build
+	@mkdir -p build/film/home
+	@FREECAD_USER_HOME=$(CURDIR)/build/film/home $(FREECAD) tools/install.py --link
+	@FREECAD_USER_HOME=$(CURDIR)/build/film/home FUNICULAR_FILM=build/film/frames $(DISPLAY_RUN) freecad examples/film.py \
+	    > build/film/log 2>&1 || { cat build/film/log >&2; exit 1; }
+	@$(PYTHON) examples/film.py build/film/frames docs/session.gif
 
 guide: build ## the pictures of docs/guide.md, taken in FreeCAD's window on a virtual display
 	@mkdir -p build/guide/home
@@ -145,5 +153,5 @@ soak: build ## random scenes and mesh files for SOAK_SECONDS (600): new ones eve
 clean: ## remove build/ and the compiled module
 	rm -rf build src/freecad_wb/funicular/_core*.so
 
-.PHONY: help demo gallery guide accuracy gui install setup configure build lint format translations bench bench-peers test test-core test-sanitize test-house \
+.PHONY: help demo gallery film guide accuracy gui install setup configure build lint format translations bench bench-peers test test-core test-sanitize test-house \
 	test-python test-freecad test-gui soak clean

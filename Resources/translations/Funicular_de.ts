@@ -73,8 +73,8 @@
             <translation>Zellen entlang v, anstelle von StepV; 0 für keine Vorgabe</translation>
         </message>
         <message>
-            <source>Colour each member by its force</source>
-            <translation>Jeden Stab nach seiner Kraft färben</translation>
+            <source>Colour by the range that is given, unless its ends are equal</source>
+            <translation>Nach dem vorgegebenen Bereich färben, außer wenn seine Enden gleich sind</translation>
         </message>
         <message>
             <source>Curved edges are divided into parts no longer than this; 0 for one member each</source>
@@ -83,6 +83,10 @@
         <message>
             <source>Diameter of round bars, and width of rectangular ones</source>
             <translation>Durchmesser runder Stäbe und Breite rechteckiger</translation>
+        </message>
+        <message>
+            <source>Diameter of round members, width of others</source>
+            <translation>Durchmesser runder Stäbe, Breite anderer</translation>
         </message>
         <message>
             <source>EA of the members, the force that would double their length: the lower, the higher the shell</source>
@@ -115,6 +119,10 @@
         <message>
             <source>Height of rectangular bars, in the vertical plane of each</source>
             <translation>Höhe rechteckiger Stäbe, jeweils in ihrer lotrechten Ebene</translation>
+        </message>
+        <message>
+            <source>Height of rectangular members</source>
+            <translation>Höhe rechteckiger Stäbe</translation>
         </message>
         <message>
             <source>How a panel's weight goes to its corners: by their angles, equally, by the area nearest to each</source>
@@ -293,6 +301,10 @@
             <translation>Runden, die die Stäbe auf ihre Längen auf der Quelle zurückbringen; 0 für keine</translation>
         </message>
         <message>
+            <source>Shape of the solid members across, for their stress; it does not change the form</source>
+            <translation>Form des vollen Stabquerschnitts, für die Spannung; die Form der Schale ändert er nicht</translation>
+        </message>
+        <message>
             <source>Show level ground at the lowest support, and the shadow on it</source>
             <translation>Ebenen Boden am tiefsten Auflager zeigen, und den Schatten darauf</translation>
         </message>
@@ -301,8 +313,12 @@
             <translation>Das Netz, wie es gelegt wurde, blass neben dem zeigen, was daraus wurde</translation>
         </message>
         <message>
-            <source>Show what force each colour stands for</source>
-            <translation>Zeigen, für welche Kraft jede Farbe steht</translation>
+            <source>Show the reactions as arrows, all to one scale</source>
+            <translation>Die Auflagerkräfte als Pfeile zeigen, alle in einem Maßstab</translation>
+        </message>
+        <message>
+            <source>Show what each colour stands for</source>
+            <translation>Zeigen, wofür jede Farbe steht</translation>
         </message>
         <message>
             <source>Sides of the face that are one point</source>
@@ -311,6 +327,10 @@
         <message>
             <source>Snow load on plan; 0 for none</source>
             <translation>Schneelast auf den Grundriss; 0 für keine</translation>
+        </message>
+        <message>
+            <source>Stress that the members bear, for their utilisation; 0 for unknown</source>
+            <translation>Spannung, die die Stäbe ertragen, für ihre Ausnutzung; 0 für unbekannt</translation>
         </message>
         <message>
             <source>Sum of all loads, downwards</source>
@@ -421,6 +441,10 @@
             <translation>Was von Zelle zu Zelle gleich ist: die Länge auf der Fläche, oder die Parameter der Fläche</translation>
         </message>
         <message>
+            <source>What the colour of each member stands for</source>
+            <translation>Wofür die Farbe jedes Stabes steht</translation>
+        </message>
+        <message>
             <source>What the elements were when they were picked</source>
             <translation>Was die Elemente waren, als sie gewählt wurden</translation>
         </message>
@@ -441,6 +465,14 @@
             <translation>Was von dieser Gitterschale unter einem Namen behalten wurde, siehe funicular.features.variants</translation>
         </message>
         <message>
+            <source>Where a fixed range of this colouring begins (utilisation in %)</source>
+            <translation>Wo ein fester Bereich dieser Färbung beginnt (Ausnutzung in %)</translation>
+        </message>
+        <message>
+            <source>Where a fixed range of this colouring ends (utilisation in %)</source>
+            <translation>Wo ein fester Bereich dieser Färbung endet (Ausnutzung in %)</translation>
+        </message>
+        <message>
             <source>Where the shell stands</source>
             <translation>Worauf die Schale steht</translation>
         </message>
@@ -459,6 +491,10 @@
         <message>
             <source>Which nodes are held</source>
             <translation>Welche Knoten gehalten werden</translation>
+        </message>
+        <message>
+            <source>Young's modulus of the members, for their buckling between nodes; 0 for unknown</source>
+            <translation>E-Modul der Stäbe, für ihr Knicken zwischen den Knoten; 0 für unbekannt</translation>
         </message>
     </context>
     <context>
@@ -592,6 +628,14 @@
             <translation>Das offene Panel schließen, dann den Punkt erneut anklicken.</translation>
         </message>
         <message>
+            <source>Colour by</source>
+            <translation>Farbe nach</translation>
+        </message>
+        <message>
+            <source>Colours and readings</source>
+            <translation>Farben und Ablesen</translation>
+        </message>
+        <message>
             <source>Compression only</source>
             <translation>Nur Druck</translation>
         </message>
@@ -704,6 +748,10 @@
             <translation>Fest</translation>
         </message>
         <message>
+            <source>Fixed range</source>
+            <translation>Fester Bereich</translation>
+        </message>
+        <message>
             <source>Flat sheet</source>
             <translation>Ebenes Netz</translation>
         </message>
@@ -716,6 +764,10 @@
             <translation>Kraft +</translation>
         </message>
         <message>
+            <source>Force {}</source>
+            <translation>Kraft {}</translation>
+        </message>
+        <message>
             <source>Force −</source>
             <translation>Kraft −</translation>
         </message>
@@ -726,6 +778,10 @@
         <message>
             <source>Free</source>
             <translation>Frei</translation>
+        </message>
+        <message>
+            <source>From the source</source>
+            <translation>Von der Quelle</translation>
         </message>
         <message>
             <source>Front</source>
@@ -754,6 +810,14 @@
         <message>
             <source>Ground, shadow</source>
             <translation>Boden, Schatten</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>Höhe</translation>
+        </message>
+        <message>
+            <source>Height {}</source>
+            <translation>Höhe {}</translation>
         </message>
         <message>
             <source>Hexagon</source>
@@ -836,6 +900,10 @@
             <translation>Weglassen</translation>
         </message>
         <message>
+            <source>Legend</source>
+            <translation>Legende</translation>
+        </message>
+        <message>
             <source>Length</source>
             <translation>Länge</translation>
         </message>
@@ -850,6 +918,10 @@
         <message>
             <source>Length of the longest member</source>
             <translation>Länge des längsten Stabes</translation>
+        </message>
+        <message>
+            <source>Length {}</source>
+            <translation>Länge {}</translation>
         </message>
         <message>
             <source>Lengths differ by {} % → {} % (rms), best reached after {} rounds</source>
@@ -900,6 +972,10 @@
             <translation>Linien und Eindeckung</translation>
         </message>
         <message>
+            <source>Load {}</source>
+            <translation>Last {}</translation>
+        </message>
+        <message>
             <source>Longest</source>
             <translation>Längster</translation>
         </message>
@@ -940,6 +1016,14 @@
             <translation>Stabkraft</translation>
         </message>
         <message>
+            <source>Member length</source>
+            <translation>Stablänge</translation>
+        </message>
+        <message>
+            <source>Member {}</source>
+            <translation>Stab {}</translation>
+        </message>
+        <message>
             <source>Members</source>
             <translation>Stäbe</translation>
         </message>
@@ -964,6 +1048,14 @@
             <translation>Größte Scherung</translation>
         </message>
         <message>
+            <source>Needs a section and the strength or Young's modulus of its material.</source>
+            <translation>Braucht einen Querschnitt und die Festigkeit oder den E-Modul des Werkstoffs.</translation>
+        </message>
+        <message>
+            <source>Needs a section: choose its shape and size.</source>
+            <translation>Braucht einen Querschnitt: seine Form und Größe wählen.</translation>
+        </message>
+        <message>
             <source>Net</source>
             <translation>Netz</translation>
         </message>
@@ -974,6 +1066,10 @@
         <message>
             <source>No tool (Esc): a click on a mark chooses its support in the list</source>
             <translation>Kein Werkzeug (Esc): ein Klick auf ein Zeichen wählt sein Auflager in der Liste</translation>
+        </message>
+        <message>
+            <source>Node {}</source>
+            <translation>Knoten {}</translation>
         </message>
         <message>
             <source>Nodes</source>
@@ -1108,12 +1204,24 @@
             <translation>Einen Knoten heben oder senken: ihn entlang z ziehen, und das Netz wird neu gelegt</translation>
         </message>
         <message>
+            <source>Reaction {}</source>
+            <translation>Auflagerkraft {}</translation>
+        </message>
+        <message>
+            <source>Reactions</source>
+            <translation>Auflagerkräfte</translation>
+        </message>
+        <message>
             <source>Recipe {}: {} nodes</source>
             <translation>Vorgabe {}: {} Knoten</translation>
         </message>
         <message>
             <source>Recipe: {}</source>
             <translation>Vorgabe: {}</translation>
+        </message>
+        <message>
+            <source>Rectangular</source>
+            <translation>Rechteckig</translation>
         </message>
         <message>
             <source>Rectangular bars</source>
@@ -1164,6 +1272,10 @@
             <translation>Stich</translation>
         </message>
         <message>
+            <source>Round</source>
+            <translation>Rund</translation>
+        </message>
+        <message>
             <source>Round bars</source>
             <translation>Runde Stäbe</translation>
         </message>
@@ -1182,6 +1294,10 @@
         <message>
             <source>Save what was measured</source>
             <translation>Messung speichern</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Querschnitt</translation>
         </message>
         <message>
             <source>Select a gridshell and press “What accuracy costs”.</source>
@@ -1214,6 +1330,10 @@
         <message>
             <source>Side</source>
             <translation>Seite</translation>
+        </message>
+        <message>
+            <source>Slack members</source>
+            <translation>Schlaffe Stäbe</translation>
         </message>
         <message>
             <source>Snow</source>
@@ -1264,6 +1384,18 @@
             <translation>Aufhören zu messen; was gemessen wurde, bleibt</translation>
         </message>
         <message>
+            <source>Strength</source>
+            <translation>Festigkeit</translation>
+        </message>
+        <message>
+            <source>Stress</source>
+            <translation>Spannung</translation>
+        </message>
+        <message>
+            <source>Stress {}</source>
+            <translation>Spannung {}</translation>
+        </message>
+        <message>
             <source>Sun altitude</source>
             <translation>Sonnenhöhe</translation>
         </message>
@@ -1312,6 +1444,10 @@
             <translation>Die Anleitung fehlt: {}. Das Addon neu installieren.</translation>
         </message>
         <message>
+            <source>The longest arrow is {}, at node {}.</source>
+            <translation>Der längste Pfeil ist {}, an Knoten {}.</translation>
+        </message>
+        <message>
             <source>The lowest nodes stand</source>
             <translation>Die tiefsten Knoten stehen auf</translation>
         </message>
@@ -1326,6 +1462,10 @@
         <message>
             <source>The way from the source is drawn {} times as long. Figures are the true ones.</source>
             <translation>Der Weg von der Quelle ist {}-mal so lang gezeichnet. Die Zahlen sind die wahren.</translation>
+        </message>
+        <message>
+            <source>There are no reactions yet.</source>
+            <translation>Noch gibt es keine Auflagerkräfte.</translation>
         </message>
         <message>
             <source>Together these may move it by {}: leave out one, then measure again.</source>
@@ -1370,6 +1510,14 @@
         <message>
             <source>Use selected faces</source>
             <translation>Gewählte Flächen</translation>
+        </message>
+        <message>
+            <source>Utilisation</source>
+            <translation>Ausnutzung</translation>
+        </message>
+        <message>
+            <source>Utilisation {}</source>
+            <translation>Ausnutzung {}</translation>
         </message>
         <message>
             <source>Variant {}</source>
@@ -1444,6 +1592,10 @@
             <translation>Was gemessen wurde, als Tabelle (.csv) und Bild (.png) schreiben</translation>
         </message>
         <message>
+            <source>Young's modulus</source>
+            <translation>E-Modul</translation>
+        </message>
+        <message>
             <source>Zigzag</source>
             <translation>Zickzack</translation>
         </message>
@@ -1464,6 +1616,18 @@
             <translation>verlangt: {}</translation>
         </message>
         <message>
+            <source>borne</source>
+            <translation>trägt</translation>
+        </message>
+        <message>
+            <source>borne (own scale)</source>
+            <translation>trägt (eigener Maßstab)</translation>
+        </message>
+        <message>
+            <source>by buckling</source>
+            <translation>durch Knicken</translation>
+        </message>
+        <message>
             <source>by step</source>
             <translation>nach Schritt</translation>
         </message>
@@ -1472,8 +1636,16 @@
             <translation>abgebrochen</translation>
         </message>
         <message>
+            <source>carries</source>
+            <translation>trägt</translation>
+        </message>
+        <message>
             <source>change</source>
             <translation>Änderung</translation>
+        </message>
+        <message>
+            <source>compression</source>
+            <translation>Druck</translation>
         </message>
         <message>
             <source>compression −</source>
@@ -1494,6 +1666,10 @@
         <message>
             <source>free</source>
             <translation>frei</translation>
+        </message>
+        <message>
+            <source>from</source>
+            <translation>von</translation>
         </message>
         <message>
             <source>no</source>
@@ -1528,6 +1704,10 @@
             <translation>jetzt</translation>
         </message>
         <message>
+            <source>range is fixed</source>
+            <translation>Bereich ist fest</translation>
+        </message>
+        <message>
             <source>residual {:.0e}</source>
             <translation>Residuum {:.0e}</translation>
         </message>
@@ -1540,8 +1720,20 @@
             <translation>gewählte Kante oder Fläche</translation>
         </message>
         <message>
+            <source>slack</source>
+            <translation>schlaff</translation>
+        </message>
+        <message>
+            <source>slack, carries nothing</source>
+            <translation>schlaff, trägt nichts</translation>
+        </message>
+        <message>
             <source>snow</source>
             <translation>Schnee</translation>
+        </message>
+        <message>
+            <source>tension</source>
+            <translation>Zug</translation>
         </message>
         <message>
             <source>tension +</source>
@@ -1570,6 +1762,18 @@
         <message>
             <source>time in the solver</source>
             <translation>Zeit im Löser</translation>
+        </message>
+        <message>
+            <source>to</source>
+            <translation>bis</translation>
+        </message>
+        <message>
+            <source>too much</source>
+            <translation>zu viel</translation>
+        </message>
+        <message>
+            <source>too much (own scale)</source>
+            <translation>zu viel (eigener Maßstab)</translation>
         </message>
         <message>
             <source>x</source>
@@ -1612,6 +1816,10 @@
             <translation>{} mit {}: {}, in Wahrheit {}</translation>
         </message>
         <message>
+            <source>{} downward</source>
+            <translation>{} abwärts</translation>
+        </message>
+        <message>
             <source>{} edges and faces are selected: select one, in the model or the 3D view.</source>
             <translation>{} Kanten und Flächen sind gewählt: eine wählen, im Modell oder in der 3D-Ansicht.</translation>
         </message>
@@ -1622,6 +1830,10 @@
         <message>
             <source>{} from equilibrium</source>
             <translation>{} vom Gleichgewicht</translation>
+        </message>
+        <message>
+            <source>{} from the source</source>
+            <translation>{} von der Quelle</translation>
         </message>
         <message>
             <source>{} gave up after {}, without coming as near as {}.</source>
@@ -1668,12 +1880,20 @@
             <translation>{} insgesamt: Schritt {}, {}</translation>
         </message>
         <message>
+            <source>{} sideways</source>
+            <translation>{} seitwärts</translation>
+        </message>
+        <message>
             <source>{} supports pull the shell down, so it pulls upward there.</source>
             <translation>{} Auflager ziehen die Schale nach unten, sie zieht dort also aufwärts.</translation>
         </message>
         <message>
             <source>{} total, balanced to {:.0e}</source>
             <translation>{} insgesamt, ausgeglichen bis auf {:.0e}</translation>
+        </message>
+        <message>
+            <source>{} upward</source>
+            <translation>{} aufwärts</translation>
         </message>
         <message>
             <source>{}, at {}</source>

@@ -73,8 +73,8 @@
             <translation>Celle lungo v, al posto di StepV; 0 per nessuna</translation>
         </message>
         <message>
-            <source>Colour each member by its force</source>
-            <translation>Colorare ogni asta secondo la sua forza</translation>
+            <source>Colour by the range that is given, unless its ends are equal</source>
+            <translation>Colorare secondo l'intervallo dato, a meno che i suoi estremi siano uguali</translation>
         </message>
         <message>
             <source>Curved edges are divided into parts no longer than this; 0 for one member each</source>
@@ -83,6 +83,10 @@
         <message>
             <source>Diameter of round bars, and width of rectangular ones</source>
             <translation>Diametro delle aste tonde e larghezza di quelle rettangolari</translation>
+        </message>
+        <message>
+            <source>Diameter of round members, width of others</source>
+            <translation>Diametro delle aste tonde, larghezza delle altre</translation>
         </message>
         <message>
             <source>EA of the members, the force that would double their length: the lower, the higher the shell</source>
@@ -115,6 +119,10 @@
         <message>
             <source>Height of rectangular bars, in the vertical plane of each</source>
             <translation>Altezza delle aste rettangolari, nel piano verticale di ciascuna</translation>
+        </message>
+        <message>
+            <source>Height of rectangular members</source>
+            <translation>Altezza delle aste rettangolari</translation>
         </message>
         <message>
             <source>How a panel's weight goes to its corners: by their angles, equally, by the area nearest to each</source>
@@ -293,6 +301,10 @@
             <translation>Cicli che riportano le aste alle loro lunghezze sulla sorgente; 0 per nessuno</translation>
         </message>
         <message>
+            <source>Shape of the solid members across, for their stress; it does not change the form</source>
+            <translation>Forma della sezione piena delle aste, per la loro tensione; non cambia la forma della gridshell</translation>
+        </message>
+        <message>
             <source>Show level ground at the lowest support, and the shadow on it</source>
             <translation>Mostrare il terreno piano al vincolo più basso, e l'ombra su di esso</translation>
         </message>
@@ -301,8 +313,12 @@
             <translation>Mostrare il reticolo com'era steso, pallido, accanto a ciò che è diventato</translation>
         </message>
         <message>
-            <source>Show what force each colour stands for</source>
-            <translation>Mostrare quale forza significa ogni colore</translation>
+            <source>Show the reactions as arrows, all to one scale</source>
+            <translation>Mostrare le reazioni come frecce, tutte nella stessa scala</translation>
+        </message>
+        <message>
+            <source>Show what each colour stands for</source>
+            <translation>Mostrare che cosa significa ogni colore</translation>
         </message>
         <message>
             <source>Sides of the face that are one point</source>
@@ -311,6 +327,10 @@
         <message>
             <source>Snow load on plan; 0 for none</source>
             <translation>Carico di neve in pianta; 0 per nessuno</translation>
+        </message>
+        <message>
+            <source>Stress that the members bear, for their utilisation; 0 for unknown</source>
+            <translation>Tensione che le aste sopportano, per il loro sfruttamento; 0 per ignota</translation>
         </message>
         <message>
             <source>Sum of all loads, downwards</source>
@@ -421,6 +441,10 @@
             <translation>Che cosa è uguale da cella a cella: la lunghezza sulla faccia, o i parametri della superficie</translation>
         </message>
         <message>
+            <source>What the colour of each member stands for</source>
+            <translation>Che cosa significa il colore di ogni asta</translation>
+        </message>
+        <message>
             <source>What the elements were when they were picked</source>
             <translation>Che cosa erano gli elementi quando furono scelti</translation>
         </message>
@@ -441,6 +465,14 @@
             <translation>Che cosa di questa gridshell è stato conservato con un nome, vedi funicular.features.variants</translation>
         </message>
         <message>
+            <source>Where a fixed range of this colouring begins (utilisation in %)</source>
+            <translation>Dove comincia un intervallo fisso di questi colori (sfruttamento in %)</translation>
+        </message>
+        <message>
+            <source>Where a fixed range of this colouring ends (utilisation in %)</source>
+            <translation>Dove finisce un intervallo fisso di questi colori (sfruttamento in %)</translation>
+        </message>
+        <message>
             <source>Where the shell stands</source>
             <translation>Dove sta la gridshell</translation>
         </message>
@@ -459,6 +491,10 @@
         <message>
             <source>Which nodes are held</source>
             <translation>Quali nodi sono tenuti</translation>
+        </message>
+        <message>
+            <source>Young's modulus of the members, for their buckling between nodes; 0 for unknown</source>
+            <translation>Modulo di Young delle aste, per la loro instabilità tra i nodi; 0 per ignoto</translation>
         </message>
     </context>
     <context>
@@ -592,6 +628,14 @@
             <translation>Chiudere il pannello aperto, poi fare di nuovo clic sul punto.</translation>
         </message>
         <message>
+            <source>Colour by</source>
+            <translation>Colore per</translation>
+        </message>
+        <message>
+            <source>Colours and readings</source>
+            <translation>Colori e lettura</translation>
+        </message>
+        <message>
             <source>Compression only</source>
             <translation>Solo compressione</translation>
         </message>
@@ -704,6 +748,10 @@
             <translation>Fisso</translation>
         </message>
         <message>
+            <source>Fixed range</source>
+            <translation>Intervallo fisso</translation>
+        </message>
+        <message>
             <source>Flat sheet</source>
             <translation>Foglio piano</translation>
         </message>
@@ -716,6 +764,10 @@
             <translation>Forza +</translation>
         </message>
         <message>
+            <source>Force {}</source>
+            <translation>Forza {}</translation>
+        </message>
+        <message>
             <source>Force −</source>
             <translation>Forza −</translation>
         </message>
@@ -726,6 +778,10 @@
         <message>
             <source>Free</source>
             <translation>Libero</translation>
+        </message>
+        <message>
+            <source>From the source</source>
+            <translation>Dalla sorgente</translation>
         </message>
         <message>
             <source>Front</source>
@@ -754,6 +810,14 @@
         <message>
             <source>Ground, shadow</source>
             <translation>Terreno, ombra</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>Altezza</translation>
+        </message>
+        <message>
+            <source>Height {}</source>
+            <translation>Altezza {}</translation>
         </message>
         <message>
             <source>Hexagon</source>
@@ -836,6 +900,10 @@
             <translation>Toglile</translation>
         </message>
         <message>
+            <source>Legend</source>
+            <translation>Legenda</translation>
+        </message>
+        <message>
             <source>Length</source>
             <translation>Lunghezza</translation>
         </message>
@@ -850,6 +918,10 @@
         <message>
             <source>Length of the longest member</source>
             <translation>Lunghezza dell'asta più lunga</translation>
+        </message>
+        <message>
+            <source>Length {}</source>
+            <translation>Lunghezza {}</translation>
         </message>
         <message>
             <source>Lengths differ by {} % → {} % (rms), best reached after {} rounds</source>
@@ -900,6 +972,10 @@
             <translation>Linee e copertura</translation>
         </message>
         <message>
+            <source>Load {}</source>
+            <translation>Carico {}</translation>
+        </message>
+        <message>
             <source>Longest</source>
             <translation>Più lunga</translation>
         </message>
@@ -940,6 +1016,14 @@
             <translation>Forza nelle aste</translation>
         </message>
         <message>
+            <source>Member length</source>
+            <translation>Lunghezza delle aste</translation>
+        </message>
+        <message>
+            <source>Member {}</source>
+            <translation>Asta {}</translation>
+        </message>
+        <message>
             <source>Members</source>
             <translation>Aste</translation>
         </message>
@@ -964,6 +1048,14 @@
             <translation>Scorrimento max</translation>
         </message>
         <message>
+            <source>Needs a section and the strength or Young's modulus of its material.</source>
+            <translation>Serve una sezione e la resistenza o il modulo di Young del materiale.</translation>
+        </message>
+        <message>
+            <source>Needs a section: choose its shape and size.</source>
+            <translation>Serve una sezione: sceglierne forma e misure.</translation>
+        </message>
+        <message>
             <source>Net</source>
             <translation>Reticolo</translation>
         </message>
@@ -974,6 +1066,10 @@
         <message>
             <source>No tool (Esc): a click on a mark chooses its support in the list</source>
             <translation>Nessuno strumento (Esc): un clic su un segno sceglie il suo vincolo nella lista</translation>
+        </message>
+        <message>
+            <source>Node {}</source>
+            <translation>Nodo {}</translation>
         </message>
         <message>
             <source>Nodes</source>
@@ -1108,12 +1204,24 @@
             <translation>Alzare o abbassare un nodo: trascinarlo lungo z, e il reticolo è steso di nuovo</translation>
         </message>
         <message>
+            <source>Reaction {}</source>
+            <translation>Reazione {}</translation>
+        </message>
+        <message>
+            <source>Reactions</source>
+            <translation>Reazioni</translation>
+        </message>
+        <message>
             <source>Recipe {}: {} nodes</source>
             <translation>Schema {}: {} nodi</translation>
         </message>
         <message>
             <source>Recipe: {}</source>
             <translation>Schema: {}</translation>
+        </message>
+        <message>
+            <source>Rectangular</source>
+            <translation>Rettangolare</translation>
         </message>
         <message>
             <source>Rectangular bars</source>
@@ -1164,6 +1272,10 @@
             <translation>Freccia</translation>
         </message>
         <message>
+            <source>Round</source>
+            <translation>Tonda</translation>
+        </message>
+        <message>
             <source>Round bars</source>
             <translation>Aste tonde</translation>
         </message>
@@ -1182,6 +1294,10 @@
         <message>
             <source>Save what was measured</source>
             <translation>Salva la misura</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Sezione</translation>
         </message>
         <message>
             <source>Select a gridshell and press “What accuracy costs”.</source>
@@ -1214,6 +1330,10 @@
         <message>
             <source>Side</source>
             <translation>Lato</translation>
+        </message>
+        <message>
+            <source>Slack members</source>
+            <translation>Aste scariche</translation>
         </message>
         <message>
             <source>Snow</source>
@@ -1264,6 +1384,18 @@
             <translation>Smettere di misurare; ciò che è stato misurato resta</translation>
         </message>
         <message>
+            <source>Strength</source>
+            <translation>Resistenza</translation>
+        </message>
+        <message>
+            <source>Stress</source>
+            <translation>Tensione</translation>
+        </message>
+        <message>
+            <source>Stress {}</source>
+            <translation>Tensione {}</translation>
+        </message>
+        <message>
             <source>Sun altitude</source>
             <translation>Altezza sole</translation>
         </message>
@@ -1312,6 +1444,10 @@
             <translation>Manca la guida: {}. Reinstallare l'addon.</translation>
         </message>
         <message>
+            <source>The longest arrow is {}, at node {}.</source>
+            <translation>La freccia più lunga è {}, al nodo {}.</translation>
+        </message>
+        <message>
             <source>The lowest nodes stand</source>
             <translation>I nodi più bassi appoggiano</translation>
         </message>
@@ -1326,6 +1462,10 @@
         <message>
             <source>The way from the source is drawn {} times as long. Figures are the true ones.</source>
             <translation>La distanza dalla sorgente è disegnata {} volte più lunga. Le cifre sono quelle vere.</translation>
+        </message>
+        <message>
+            <source>There are no reactions yet.</source>
+            <translation>Non ci sono ancora reazioni.</translation>
         </message>
         <message>
             <source>Together these may move it by {}: leave out one, then measure again.</source>
@@ -1370,6 +1510,14 @@
         <message>
             <source>Use selected faces</source>
             <translation>Facce scelte</translation>
+        </message>
+        <message>
+            <source>Utilisation</source>
+            <translation>Sfruttamento</translation>
+        </message>
+        <message>
+            <source>Utilisation {}</source>
+            <translation>Sfruttamento {}</translation>
         </message>
         <message>
             <source>Variant {}</source>
@@ -1444,6 +1592,10 @@
             <translation>Scrivere ciò che è stato misurato come tabella (.csv) e immagine (.png)</translation>
         </message>
         <message>
+            <source>Young's modulus</source>
+            <translation>Modulo E</translation>
+        </message>
+        <message>
             <source>Zigzag</source>
             <translation>Zigzag</translation>
         </message>
@@ -1464,6 +1616,18 @@
             <translation>richiesto: {}</translation>
         </message>
         <message>
+            <source>borne</source>
+            <translation>portata</translation>
+        </message>
+        <message>
+            <source>borne (own scale)</source>
+            <translation>portata (scala propria)</translation>
+        </message>
+        <message>
+            <source>by buckling</source>
+            <translation>per instabilità</translation>
+        </message>
+        <message>
             <source>by step</source>
             <translation>dal passo</translation>
         </message>
@@ -1472,8 +1636,16 @@
             <translation>annullato</translation>
         </message>
         <message>
+            <source>carries</source>
+            <translation>porta</translation>
+        </message>
+        <message>
             <source>change</source>
             <translation>differenza</translation>
+        </message>
+        <message>
+            <source>compression</source>
+            <translation>compressione</translation>
         </message>
         <message>
             <source>compression −</source>
@@ -1494,6 +1666,10 @@
         <message>
             <source>free</source>
             <translation>libero</translation>
+        </message>
+        <message>
+            <source>from</source>
+            <translation>da</translation>
         </message>
         <message>
             <source>no</source>
@@ -1528,6 +1704,10 @@
             <translation>attuale</translation>
         </message>
         <message>
+            <source>range is fixed</source>
+            <translation>intervallo fisso</translation>
+        </message>
+        <message>
             <source>residual {:.0e}</source>
             <translation>residuo {:.0e}</translation>
         </message>
@@ -1540,8 +1720,20 @@
             <translation>spigolo o faccia scelti</translation>
         </message>
         <message>
+            <source>slack</source>
+            <translation>scarica</translation>
+        </message>
+        <message>
+            <source>slack, carries nothing</source>
+            <translation>scarica, non porta nulla</translation>
+        </message>
+        <message>
             <source>snow</source>
             <translation>neve</translation>
+        </message>
+        <message>
+            <source>tension</source>
+            <translation>trazione</translation>
         </message>
         <message>
             <source>tension +</source>
@@ -1570,6 +1762,18 @@
         <message>
             <source>time in the solver</source>
             <translation>tempo nel solutore</translation>
+        </message>
+        <message>
+            <source>to</source>
+            <translation>a</translation>
+        </message>
+        <message>
+            <source>too much</source>
+            <translation>troppo</translation>
+        </message>
+        <message>
+            <source>too much (own scale)</source>
+            <translation>troppo (scala propria)</translation>
         </message>
         <message>
             <source>x</source>
@@ -1612,6 +1816,10 @@
             <translation>{} con {}: {}, in realtà {}</translation>
         </message>
         <message>
+            <source>{} downward</source>
+            <translation>{} verso il basso</translation>
+        </message>
+        <message>
             <source>{} edges and faces are selected: select one, in the model or the 3D view.</source>
             <translation>Sono scelti {} spigoli e facce: sceglierne uno, nel modello o nella vista 3D.</translation>
         </message>
@@ -1622,6 +1830,10 @@
         <message>
             <source>{} from equilibrium</source>
             <translation>{} dall'equilibrio</translation>
+        </message>
+        <message>
+            <source>{} from the source</source>
+            <translation>{} dalla sorgente</translation>
         </message>
         <message>
             <source>{} gave up after {}, without coming as near as {}.</source>
@@ -1668,12 +1880,20 @@
             <translation>{} in tutto: passo {}, {}</translation>
         </message>
         <message>
+            <source>{} sideways</source>
+            <translation>{} di lato</translation>
+        </message>
+        <message>
             <source>{} supports pull the shell down, so it pulls upward there.</source>
             <translation>{} vincoli tirano la gridshell in basso: lì essa tira verso l'alto.</translation>
         </message>
         <message>
             <source>{} total, balanced to {:.0e}</source>
             <translation>{} in tutto, in equilibrio a meno di {:.0e}</translation>
+        </message>
+        <message>
+            <source>{} upward</source>
+            <translation>{} verso l'alto</translation>
         </message>
         <message>
             <source>{}, at {}</source>

@@ -70,6 +70,8 @@ def test_every_property_has_a_group_and_a_tooltip(doc, box):
         "Stiffness",
         "Supports",
         "Solution",
+        "Section",
+        "Variants",
         "Results",
         "Base",
     }

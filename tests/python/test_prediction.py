@@ -45,10 +45,23 @@ def test_larger_nets_cost_more(pattern, path):
     assert str(prices[0]).startswith("about ") and str(prices[0]).endswith(" MB")
 
 
-def test_more_digits_never_cost_less_by_much():
+@pytest.fixture
+def still_clock(monkeypatch):
+    """The first steps of each solve take the same time, as on a machine that is never disturbed."""
+    first_steps = prediction._first_steps
+
+    def timed(scene, accuracy):
+        steps, _, residual = first_steps(scene, accuracy)
+        return steps, 1e-6 * steps * len(scene.net.members), residual
+
+    monkeypatch.setattr(prediction, "_first_steps", timed)
+
+
+def test_more_digits_never_cost_less_by_much(still_clock):
     scene = sheet(0.3, "triangle")
     seconds = [fn.predict(scene, accuracy).seconds for accuracy in (1e-2, 1e-4, 1e-6)]
-    assert seconds == sorted(seconds)
+    # The fit is to within a factor of two, and digits are what it depends on least.
+    assert all(more > 0.8 * fewer for fewer, more in zip(seconds, seconds[1:]))
 
 
 def test_memory_is_what_a_solve_then_takes():
@@ -107,7 +120,7 @@ def test_one_of_another_machine_and_one_that_cannot_be_written_are_no_error(cach
     assert prediction_cache.factor("lattice") == 2.0
 
 
-def test_what_solves_really_take_corrects_what_is_told(cache):
+def test_what_solves_really_take_corrects_what_is_told(cache, still_clock):
     scene = sheet(0.6, "triangle")
     price = fn.predict(scene)
     for _ in range(30):

@@ -16,7 +16,7 @@ class Form:
     nodes, source_nodes: (n, 3), as it stands and as it was laid. members: (m, 2). panels: tuples of nodes.
     member_forces: (m,). reactions: (n, 3), zero where unsupported. tension_members, slack_members: as the
     certificate counts them, empty while a solve goes on. exaggeration: by which the way of the nodes from the
-    source is drawn larger than it is.
+    source is drawn larger than it is. is_certified: whether there is a certificate.
     """
 
     nodes: np.ndarray
@@ -28,6 +28,7 @@ class Form:
     tension_members: np.ndarray = field(default_factory=lambda: NOBODY)
     slack_members: np.ndarray = field(default_factory=lambda: NOBODY)
     exaggeration: float = 1.0
+    is_certified: bool = False
 
     @cached_property
     def drawn_nodes(self):
@@ -75,6 +76,7 @@ def form_of_moment(moment):
         result.reactions,
         np.array(certificate.tension_members if certificate else (), dtype=int),
         np.array(certificate.slack_members if certificate else (), dtype=int),
+        is_certified=certificate is not None,
     )
 
 

@@ -3,7 +3,7 @@
 
 Properties are given by name. A value is a text with its unit ("500 mm", "30 kg/m^2"), a FreeCAD quantity, or
 a plain number (of Python or numpy), which means mm for lengths, kg/m for MemberWeight, kg/m² for
-CoveringWeight, N/m² for Snow and N for AxialStiffness.
+CoveringWeight, N/m² for Snow, N for AxialStiffness and N/mm² for CompressiveStrength and YoungsModulus.
 
     from funicular.make import make_gridshell
 

@@ -8,9 +8,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 
-from .colours import ForceScale
 from .export import lattice_of
+from .features.form_of import form_of
 from .features.gridshell import result_line
+from .quantities import FORCE, are_in_tension
+from .scale import Scale
 
 PAPER = "#f4f3ef"
 INK = "#22262b"
@@ -38,7 +40,8 @@ def save_picture(shell, path, azimuth=-62.0, elevation=24.0):
     gridshell has no result.
     """
     nodes, members, panels = lattice_of(shell)
-    scale = ForceScale(shell.MemberForces, shell.TensionMembers)
+    form = form_of(shell)
+    scale = Scale(form.member_forces, FORCE, are_in_tension(form))
     figure = Figure(figsize=INCHES, dpi=DOTS_PER_INCH, facecolor=PAPER)
     FigureCanvasAgg(figure)
     view = _View(nodes, azimuth, elevation)
@@ -46,7 +49,7 @@ def save_picture(shell, path, azimuth=-62.0, elevation=24.0):
     axes = figure.add_axes([0.02, 0.02, 0.83, top - 0.02])
     _draw_ground(axes, view, nodes, members)
     front = _front_panels(view, nodes, panels)
-    _draw_lattice(axes, view, nodes, members, panels, front, scale.member_colours(), set(shell.SlackMembers))
+    _draw_lattice(axes, view, nodes, members, panels, front, scale.colours(), set(shell.SlackMembers))
     reactions = np.array([tuple(reaction) for reaction in shell.Reactions])
     _draw_supports(axes, view.flat(nodes), reactions, _touched_by(front, panels, len(nodes)))
     _draw_key(axes, bool(shell.SlackMembers))
@@ -203,7 +206,7 @@ class _View:
 
 def _draw_legend(axes, scale):
     heights = np.linspace(0.0, 1.0, 256)
-    colours = np.array([[scale.bar_colour(height)] for height in heights])
+    colours = scale.bar_colours(heights)[:, None]
     axes.imshow(colours, origin="lower", extent=(0.0, 1.0, 0.0, 1.0), aspect="auto")
     marks = scale.marks()
     axes.set_xticks([])
@@ -215,6 +218,6 @@ def _draw_legend(axes, scale):
         spine.set_edgecolor(QUIET)
         spine.set_linewidth(0.6)
     axes.text(0.0, 1.085, f"Member force [{scale.unit}]", size=12, weight="bold", color=INK)
-    if scale.largest_tension > 0.0:
+    if scale.has_upper:
         axes.text(0.0, 1.035, "tension +", size=10.5, color=QUIET)
     axes.text(0.0, -0.055, "compression \u2212", size=10.5, color=QUIET)

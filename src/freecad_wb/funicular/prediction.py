@@ -4,7 +4,8 @@
 On a lattice of quads or ribs the scene is solved on a net of twice the step or more, with a quarter of the
 nodes or fewer, and what that takes is carried over to the whole: how the steps of the solver grow in number
 and in price depends on the scene in ways that no formula of its weights and supports tells as well. Elsewhere
-the time is a power of the nodes, of the stiffness in loads and of the like, and a factor for the machine.
+a few steps of the solve itself are made, and the rest is a power of what they take, of the nodes, of the
+stiffness in loads and of the like, and a factor for the machine.
 
 The exponents are in prediction.json, fitted by bench/prediction.py to random scenes on one machine. The
 factors of another one are measured once, by a few small solves (`calibrate`), kept in the user's cache, and
@@ -31,9 +32,11 @@ GRAVITY = 9.80665
 BYTES_OF_NODE, BYTES_OF_PANELS, BYTES_OF_MEMBER = 1600.0, 800.0, 2200.0
 
 # The coarser net has no more nodes than this, or than this part of the scene's.
-PROBE_NODES, PROBE_PART = 200, 0.2
+PROBE_NODES, PROBE_PART = 200, 0.3
 # What a probe may take of the time that is being asked for: where it takes more, that says enough.
 PROBE_ITERATIONS, PROBE_SECONDS = 300, 1.0
+# Where there is no coarser net, the first steps of the solve itself tell what one takes, and how far it is.
+FIRST_STEPS = 4
 
 # Powers of the nodes that time grows with, near where it is told.
 GROWTH = {"lattice": 1.15, "factorised": 1.35}
@@ -74,8 +77,9 @@ class Prediction:
 def predict(scene, accuracy=1e-3):
     """The Prediction of fn.solve(scene, accuracy), by its method "auto".
 
-    scene: a Scene. accuracy: [m]. On a lattice this takes a small part of the solve itself; the first call on
-    a machine a second or two, see `calibrate`. Raises InvalidInput for an accuracy that cannot be meant.
+    scene: a Scene. accuracy: [m]. This takes about a third of the solve itself, of a long one not more than a
+    second; the first call on a machine a second or two more, see `calibrate`. Raises InvalidInput for an
+    accuracy that cannot be meant.
     """
     accuracy = checked_accuracy(accuracy, "accuracy")
     way, features = features_of(scene, accuracy)
@@ -150,7 +154,12 @@ def features_of(scene, accuracy):
         return (LATTICE, _method(nodes, in_loads > 0.0, axial.compression_only)), np.array(common + rest)
     flat = float(np.ptp(net.nodes[:, 2]) < 1e-3 * net.size)
     valence = len(net.members) / nodes
+    steps, seconds, residual = _first_steps(scene, accuracy)
     rest = [
+        np.log(max(seconds, SHORTEST)),
+        np.log(steps + 1.0),
+        float(steps < FIRST_STEPS),
+        np.log10(np.clip(residual, 1e-9, 1e3)),
         over * size,
         held * over,
         flat,
@@ -182,8 +191,16 @@ def _probe(scene, accuracy):
             break
     if coarse is scene or len(coarse.net.nodes) > 2 * most:
         return None
+    begun = time.thread_time()
     result = fn.solve(coarse, accuracy=accuracy, max_iterations=PROBE_ITERATIONS, max_seconds=PROBE_SECONDS)
-    return len(coarse.net.nodes), result.iterations, result.seconds
+    return len(coarse.net.nodes), result.iterations, time.thread_time() - begun
+
+
+def _first_steps(scene, accuracy):
+    """(steps, seconds, residual) of the first steps of a solve."""
+    begun = time.thread_time()
+    result = fn.solve(scene, accuracy=accuracy, max_iterations=FIRST_STEPS, max_seconds=PROBE_SECONDS)
+    return result.iterations, time.thread_time() - begun, result.residual
 
 
 def _load(scene):

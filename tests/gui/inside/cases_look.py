@@ -398,11 +398,11 @@ def test_a_gridshell_without_panels_or_with_bars_of_no_size_is_still_seen(shell)
     assert drawings(shell.Document) == [], "its lines are there"
     look(shell, Display="Covering", ShowSource=True)
     drawing = NetDrawing(shell.ViewObject, instead=False)
-    drawing.show(replace(form_of(shell), panels=()))
+    drawing.show(replace(form_of(shell), panels=()), shell.ViewObject.Proxy.coloured)
     lines = kinds_below(drawings(shell.Document)[-1])
     assert lines.count("IndexedLineSet") == 1 and "IndexedFaceSet" not in lines, "the source, as pale lines"
     look(shell, Exaggeration=2.0)
-    drawing.show(replace(form_of(shell, 2.0), panels=()))
+    drawing.show(replace(form_of(shell, 2.0), panels=()), shell.ViewObject.Proxy.coloured)
     lines = kinds_below(drawings(shell.Document)[-1])
     assert lines.count("IndexedLineSet") == 2, "and the members, where nothing covers them"
     drawing.remove()

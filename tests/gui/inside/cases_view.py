@@ -63,10 +63,10 @@ def test_colours_follow_a_new_number_of_members(shell):
 
 def test_colours_can_be_switched_off_and_on(shell):
     coloured = as_float(shell.ViewObject.LineColorArray)
-    shell.ViewObject.ColourByForce = False
+    shell.ViewObject.Colours = "None"
     assert as_float(shell.ViewObject.LineColorArray) == as_float([shell.ViewObject.LineColor])
     assert legends(shell.Document) == []
-    shell.ViewObject.ColourByForce = True
+    shell.ViewObject.Colours = "Force"
     assert as_float(shell.ViewObject.LineColorArray) == coloured
 
 

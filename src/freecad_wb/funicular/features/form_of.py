@@ -7,6 +7,7 @@ from ..form import Form
 from .net import panels_of, positions_of
 
 METRES = 1e-3  # of a millimetre
+
 RESULTS = (
     "NodePositions",
     "Members",
@@ -42,4 +43,5 @@ def form_of(shell, exaggeration=1.0):
         np.array(shell.TensionMembers, dtype=int),
         np.array(shell.SlackMembers, dtype=int),
         exaggeration,
+        is_certified=True,
     )

@@ -10,6 +10,7 @@ from .feature import Feature, Property, amount, checked, reason
 from .net import edges_of, flat_panels, net_of, panels_of, to_vectors
 from .progress import Progress
 from .result_words import complaint, sentence_of
+from .section import SECTION_PROPERTIES
 from .support import RECIPES, supports_of_gridshell
 
 SHARES = ("Angle", "Equal", "Voronoi")
@@ -122,6 +123,7 @@ class Gridshell(Feature):
             "Rounds that bring the members back to their lengths on the source; 0 for none",
             0,
         ),
+        *SECTION_PROPERTIES,
         Property(
             "App::PropertyStringList",
             "Variants",

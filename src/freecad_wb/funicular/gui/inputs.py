@@ -9,7 +9,7 @@ import FreeCADGui
 
 from funicular.gui.pattern_icons import pattern_icon
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
-from funicular.gui.units import amount_in, as_parsed, unit_of
+from funicular.gui.input_units import amount_in, as_parsed, unit_of
 from funicular.wording import number
 
 # (heading, ((owner, property, label), …)), in the order of the panel and of the Tab key.
@@ -71,8 +71,13 @@ SECTIONS = (
     ),
 )
 
-# Inputs that say nothing unless another property of their object has the value given.
+# Inputs that say nothing unless another property of their object has one of the values given.
 ONLY_WHERE = {name: ("Laying", "Equal lengths") for name in ("Start", "Crossing", "MostShear")}
+ONLY_WHERE |= {
+    name: ("SectionShape", "Round", "Rectangular")
+    for name in ("SectionWidth", "CompressiveStrength", "YoungsModulus")
+}
+ONLY_WHERE["SectionHeight"] = ("SectionShape", "Rectangular")
 ONLY_WHERE |= {
     name: ("Laying", "Along isolines")
     for name in ("Pattern", "StepV", "CountU", "CountV", "SwapUV", "OffsetU", "OffsetV", "Spacing")
@@ -81,8 +86,8 @@ ONLY_WHERE |= {
 
 def counts(obj, name):
     """Whether property `name` of `obj` has a say, as its others now are."""
-    other, value = ONLY_WHERE.get(name, (None, None))
-    return other is None or getattr(obj, other) == value
+    other, *values = ONLY_WHERE.get(name, (None,))
+    return other is None or getattr(obj, other) in values
 
 
 def expression_of(obj, name):

@@ -1,40 +1,64 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The legend of a gridshell: a colour bar with forces, laid over every 3D view of its document.
+"""The legend of a gridshell: a colour bar with numbers, laid over every 3D view of its document.
 
 The views themselves are the only record of what is shown: a legend is found by the name of its node, so
 nothing has to be kept in step with views that come and go.
 """
 
 import FreeCADGui
+import numpy as np
 from pivy import coin
 
-from funicular.colours import ForceScale
-from funicular.gui import preferences
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
+from funicular.gui.units import localised
+from funicular.quantities import CATEGORY, SHARE, SIGNED
 
 NODE_PREFIX = "Funicular_legend_"
 WATCHED = "funicular_legends"
 
 WIDTH, HEIGHT, GAP = 164, 262, 8
+ROWS = 256
 BAR = QtCore.QRect(14, 46, 22, 182)
-# Taken from the bar where a word stands above it.
+# Taken from the bar for a word above it, and for each line below it but one.
 WORD = 14
+# How much lower the paper is where there is no bar.
+SHORT = 166
 PAPER, INK = QtGui.QColor(255, 255, 255, 225), QtGui.QColor(25, 30, 40)
 
-COMPRESSION = QT_TRANSLATE_NOOP("Funicular", "compression −")
-TENSION = QT_TRANSLATE_NOOP("Funicular", "tension +")
-TENSION_ENLARGED = QT_TRANSLATE_NOOP("Funicular", "tension + (own scale)")
-COMPRESSION_ENLARGED = QT_TRANSLATE_NOOP("Funicular", "compression − (own scale)")
-MEMBER_FORCE = QT_TRANSLATE_NOOP("Funicular", "Member force")
+# Above the bar and below it, by the kind of the quantity; the same where that stretch is enlarged.
+WORDS = {
+    SIGNED: (
+        (
+            QT_TRANSLATE_NOOP("Funicular", "tension +"),
+            QT_TRANSLATE_NOOP("Funicular", "tension + (own scale)"),
+        ),
+        (
+            QT_TRANSLATE_NOOP("Funicular", "compression −"),
+            QT_TRANSLATE_NOOP("Funicular", "compression − (own scale)"),
+        ),
+    ),
+    SHARE: (
+        (
+            QT_TRANSLATE_NOOP("Funicular", "too much"),
+            QT_TRANSLATE_NOOP("Funicular", "too much (own scale)"),
+        ),
+        (
+            QT_TRANSLATE_NOOP("Funicular", "borne"),
+            QT_TRANSLATE_NOOP("Funicular", "borne (own scale)"),
+        ),
+    ),
+}
+FIXED = QT_TRANSLATE_NOOP("Funicular", "range is fixed")
+CARRIES, SLACK = QT_TRANSLATE_NOOP("Funicular", "carries"), QT_TRANSLATE_NOOP("Funicular", "slack")
 
 
-def scale_of(obj):
-    """The colours of a gridshell's members in the 3D view, and the forces that they stand for."""
-    return ForceScale(obj.MemberForces, obj.TensionMembers, preferences.ramps())
+def _coloured(obj):
+    """The colouring.Coloured that is shown of a gridshell, None for none."""
+    return getattr(obj.ViewObject.Proxy, "coloured", None)
 
 
 def show(obj):
-    """Show or refresh the legend of `obj`, a gridshell, in each 3D view of its document."""
+    """Show or refresh the legend of `obj`, a gridshell, of the colours that its view provider shows now."""
     _watch_views()
     for graph in _scene_graphs(obj.Document):
         legend = _find(graph, obj)
@@ -53,7 +77,7 @@ def hide(obj):
         graph.removeChild(legend)
         # The others move up.
         for place, other in enumerate(_legends(graph)):
-            _draw(other, obj.Document.getObject(other.getName().getString()[len(NODE_PREFIX) :]), place)
+            _draw(other, _object_of(other, obj.Document), place)
 
 
 def _watch_views():
@@ -91,6 +115,10 @@ def _find(graph, obj):
     return next((legend for legend in _legends(graph) if legend.getName().getString() == name), None)
 
 
+def _object_of(legend, document):
+    return document.getObject(legend.getName().getString()[len(NODE_PREFIX) :])
+
+
 def _new_legend(obj):
     # FreeCAD's own group: without it "fit all" would zoom to the legend too.
     legend = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
@@ -117,14 +145,17 @@ def _new_legend(obj):
 
 
 def _draw(legend, obj, place):
-    picture = _picture(obj.Label, scale_of(obj), place, FreeCADGui.getMainWindow().devicePixelRatioF())
+    coloured = _coloured(obj)
+    if coloured is None:
+        return
+    picture = _picture(obj.Label, coloured, place, FreeCADGui.getMainWindow().devicePixelRatioF())
     # By position, not by name: coin's names are global, and each view has an image of its own.
     image = legend.getChild(0).getChild(3)
     size = coin.SbVec2s(picture.width(), picture.height())
     image.image.setValue(size, 4, _bottom_up_rgba(picture))
 
 
-def _picture(title, scale, place, pixel_ratio):
+def _picture(title, coloured, place, pixel_ratio):
     # Several legends stand side by side. What keeps them apart is in the picture, for it is in pixels: the
     # scene graph knows only shares of a window whose size changes.
     before = place * (WIDTH + GAP)
@@ -134,13 +165,24 @@ def _picture(title, scale, place, pixel_ratio):
     picture.fill(QtCore.Qt.transparent)
     painter = QtGui.QPainter(picture)
     painter.scale(pixel_ratio, pixel_ratio)
-    painter.translate(before, 0)
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    scale = coloured.scale
+    # What needs less room is a smaller paper, at the same corner.
+    is_short = scale is None or scale.quantity.kind == CATEGORY
+    top = SHORT if is_short else 0
+    painter.translate(before, top)
     painter.setPen(QtGui.QPen(QtGui.QColor(25, 30, 40, 90), 1.0))
     painter.setBrush(PAPER)
-    painter.drawRoundedRect(QtCore.QRectF(0.5, 0.5, WIDTH - 1, HEIGHT - 1), 5, 5)
-    _draw_words(painter, title, scale)
-    _draw_bar(painter, scale)
+    painter.drawRoundedRect(QtCore.QRectF(0.5, 0.5, WIDTH - 1, HEIGHT - top - 1), 5, 5)
+    _draw_titles(painter, title, coloured)
+    if scale is None:
+        room = QtCore.QRect(12, 44, WIDTH - 24, HEIGHT - top - 50)
+        painter.drawText(room, QtCore.Qt.AlignLeft | QtCore.Qt.TextWordWrap, coloured.missing)
+    elif is_short:
+        _draw_entries(painter, scale)
+    else:
+        _draw_words(painter, scale)
+        _draw_bar(painter, scale)
     painter.end()
     return picture
 
@@ -152,49 +194,77 @@ def _font(pixels, bold=False):
     return font
 
 
-def _draw_words(painter, title, scale):
+def _write(painter, left, top, words, after=""):
+    """Write words, shortened if need be, and what comes after them in any case."""
+    metrics = QtGui.QFontMetrics(painter.font())
+    room = WIDTH - left - 8 - metrics.boundingRect(after).width()
+    words = metrics.elidedText(words, QtCore.Qt.ElideRight, room) + after
+    painter.drawText(
+        QtCore.QRect(left, top, WIDTH - left - 6, 16), QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, words
+    )
+
+
+def _draw_titles(painter, title, coloured):
     painter.setPen(INK)
     painter.setFont(_font(12, bold=True))
-    room = WIDTH - 24
-    title = QtGui.QFontMetrics(painter.font()).elidedText(title, QtCore.Qt.ElideRight, room)
-    painter.drawText(QtCore.QRect(12, 6, room, 16), QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, title)
+    _write(painter, 12, 6, title)
     painter.setFont(_font(11))
-    quantity = f"{translate(MEMBER_FORCE)} [{scale.unit}]"
-    painter.drawText(QtCore.QRect(12, 22, room, 16), QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, quantity)
-    above, below = "", ""
-    if scale.largest_tension > 0.0:
-        small = not scale.one_scale and scale.largest_tension < scale.largest_compression
-        above = translate(TENSION_ENLARGED if small else TENSION)
-    if scale.largest_compression > 0.0:
-        small = not scale.one_scale and scale.largest_compression < scale.largest_tension
-        below = translate(COMPRESSION_ENLARGED if small else COMPRESSION)
+    with_unit = coloured.scale is not None and coloured.scale.quantity.kind != CATEGORY
+    _write(painter, 12, 22, coloured.title, f" [{coloured.scale.unit}]" if with_unit else "")
+
+
+def _words(scale):
+    """(above the bar, below it), "" for none."""
+    above, below = WORDS.get(scale.quantity.kind, ((), ()))
+    # Where all is borne, there is nothing to be told apart.
+    has_below = scale.has_lower and (scale.has_upper or scale.quantity.kind == SIGNED) and below
+    return (
+        translate(above[scale.enlarged == "upper"]) if scale.has_upper else "",
+        translate(below[scale.enlarged == "lower"]) if has_below else "",
+    )
+
+
+def _draw_words(painter, scale):
     painter.setFont(_font(10))
     bar = _bar(scale)
-    for top, words in ((bar.top() - 21, above), (bar.bottom() + 8, below)):
-        painter.drawText(QtCore.QRect(12, top, room, 16), QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, words)
+    above, below = _words(scale)
+    if above:
+        _write(painter, 12, bar.top() - 21, above)
+    if below:
+        _write(painter, 12, bar.bottom() + 7, below)
+    if scale.is_fixed:
+        _write(painter, 12, HEIGHT - 20, translate(FIXED))
 
 
 def _bar(scale):
-    return BAR.adjusted(0, WORD, 0, 0) if scale.largest_tension > 0.0 else BAR
+    above, below = _words(scale)
+    lines = bool(below) + scale.is_fixed
+    return BAR.adjusted(0, WORD if above else 0, 0, (1 - lines) * WORD)
+
+
+def _draw_entries(painter, scale):
+    for row, ((colour, _), words) in enumerate(zip(scale.entries, (CARRIES, SLACK))):
+        top = 46 + 18 * row
+        painter.fillRect(QtCore.QRect(14, top, 22, 12), QtGui.QColor.fromRgbF(*colour))
+        _write(painter, 46, top - 2, translate(words))
 
 
 def _draw_bar(painter, scale):
     bar = _bar(scale)
     # One strip, scaled: rows drawn one by one leave seams on screens with a fractional scale.
-    strip = QtGui.QImage(1, 256, QtGui.QImage.Format_RGBA8888)
-    for row in range(strip.height()):
-        colour = scale.bar_colour(1.0 - (row + 0.5) / strip.height())
-        strip.setPixelColor(0, row, QtGui.QColor.fromRgbF(*colour))
+    shares = (np.arange(ROWS)[::-1] + 0.5) / ROWS
+    rgbx = np.full((ROWS, 4), 255, dtype=np.uint8)
+    rgbx[:, :3] = np.rint(255 * scale.bar_colours(shares))
+    strip = QtGui.QImage(rgbx.tobytes(), 1, ROWS, 4, QtGui.QImage.Format_RGBX8888)
     painter.drawImage(QtCore.QRectF(bar), strip)
     painter.setPen(INK)
     painter.setBrush(QtCore.Qt.NoBrush)
     painter.drawRect(bar.adjusted(0, 0, -1, -1))
     painter.setFont(_font(11))
-    for position, force in scale.marks():
+    for position, value in scale.marks():
         height = bar.top() + round((1.0 - position) * (bar.height() - 1))
         painter.drawLine(bar.right() + 1, height, bar.right() + 6, height)
-        room = QtCore.QRect(bar.right() + 11, height - 8, WIDTH - bar.right() - 16, 16)
-        painter.drawText(room, QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, scale.text(force))
+        _write(painter, bar.right() + 11, height - 8, localised(scale.mark_text(value)))
 
 
 def _bottom_up_rgba(picture):

@@ -14,6 +14,8 @@ from funicular.gui.effect_list import EffectList
 from funicular.gui.icons import icon
 from funicular.gui.inputs import SECTIONS
 from funicular.gui.live.by_keys import explain_all, order_tabs
+from funicular.gui.live.colours_part import ColoursPart
+from funicular.gui.live.hover import Hover
 from funicular.gui.live.inputs_part import InputsPart
 from funicular.gui.live.look_part import LookPart
 from funicular.gui.live.matching_part import MatchingPart
@@ -113,7 +115,8 @@ class GridshellPanel:
         self.pointer = Pointer(self._document, shell.getGlobalPlacement)
         self.form = self._build()
         self.drawing = NetDrawing(shell.ViewObject)
-        self.session.moved.connect(lambda: self.drawing.show(self.session.form))
+        self.hover = Hover(self.session, self.pointer)
+        self.session.moved.connect(self._draw)
         self.session.rested.connect(self.drawing.rest)
         self.session.came.connect(self._came)
         self.session.failed.connect(self._failed)
@@ -252,6 +255,9 @@ class GridshellPanel:
         yield "Supports", translate("Supports"), self.supports
         self.look = LookPart(self.session)
         yield "View", translate("View"), self.look
+        self.colours = ColoursPart(self.session, self._unreadable)
+        self._columns.append(self.colours)
+        yield "ColoursAndReadings", translate("Colours and readings"), self.colours
         self.variants = VariantsPart(self.session, picture_of_view(self._view), self._show_inputs)
         yield "Alternatives", translate("Alternatives"), self.variants
 
@@ -316,6 +322,10 @@ class GridshellPanel:
         self.drawing.highlight.choose(nodes, members)
         self.session.show_again()
 
+    def _draw(self):
+        form, vobj = self.session.form, self._shell.ViewObject
+        self.drawing.show(form, vobj.Proxy.colour(vobj, form))
+
     # What follows
 
     def begin(self):
@@ -360,6 +370,7 @@ class GridshellPanel:
         self._quiet.stop()
         self.session.stop()
         self.supports.leave()
+        self.hover.leave()
         self.pointer.stop()
         self.drawing.remove()
         self.price.stop()

@@ -1,43 +1,40 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Units that a panel writes where FreeCAD's own boxes write none that anyone reckons in.
-
-FreeCAD's unit schemas know no kg/m and kg/m²: its box shows 30 kg/m² as "0.00 kg/mm^2" and rounds it to that.
-Snow it shows as "0.00 Pa", and a force, in each schema for buildings and in all imperial ones, in mm·kg/s².
-"""
+"""Lengths, forces and stresses as the user's unit schema writes them, with the user's decimal point."""
 
 import FreeCAD
 
-from funicular.gui import preferences
+from funicular import wording
+from funicular.scale import number_text, si_unit
 
-METRIC = {"MemberWeight": "kg/m", "CoveringWeight": "kg/m²", "Snow": "kN/m²"}
-IMPERIAL = {"MemberWeight": "lb/ft", "CoveringWeight": "lb/ft²", "Snow": "psf"}
-
-# As engineers write them, and as FreeCAD's parser reads them.
-WRITTEN = (("²", "^2"), ("psf", "lbf/ft^2"), ("kip", "*1000 lbf"))
-
-
-def unit_of(name, quantity):
-    """The unit that the amount of a property is to be written in; None where FreeCAD's own box serves."""
-    if name in METRIC:
-        return (IMPERIAL if preferences.is_imperial() else METRIC)[name]
-    if name == "Accuracy":
-        # In feet and in metres its own box shows a millimetre as "0.00".
-        short = "in" if preferences.is_imperial() else "mm"
-        return None if quantity.getUserPreferred()[2] == short == "mm" else short
-    if quantity.Unit.Type == "Force":
-        units = preferences.force_units()
-        # Stiffnesses are thousands of the smaller unit.
-        return None if quantity.getUserPreferred()[2] in units else units[-1]
-    return None
+# FreeCAD's unit, and how many of its own units an SI one is.
+FREECAD = {
+    "m": (FreeCAD.Units.Length, 1e3),
+    "Pa": (FreeCAD.Units.Pressure, 1e-3),
+}
+# Names that engineers do not use for stresses; nor base units, where a schema knows no other.
+AWKWARD = ("Pa", "kPa", "GPa")
 
 
-def as_parsed(text):
-    """What an engineer writes as FreeCAD's parser reads it: it takes "m²" for "m"."""
-    for written, parsed in WRITTEN:
-        text = text.replace(written, parsed)
-    return text
+def unit_of(unit, largest):
+    """As scale.si_unit, in the user's unit schema; forces in the units that were chosen for them."""
+    if unit == "N":
+        name, size = wording.force_unit(largest)
+        return size, name
+    if unit not in FREECAD or not largest > 0.0:
+        return si_unit(unit, largest)
+    dimension, factor = FREECAD[unit]
+    _, size, name = FreeCAD.Units.Quantity(largest * factor, dimension).getUserPreferred()
+    if name in AWKWARD or "*" in name:
+        return si_unit(unit, largest)
+    return size / factor, name
 
 
-def amount_in(quantity, unit):
-    """The number of a Quantity in a unit as it is written."""
-    return quantity.Value / FreeCAD.Units.Quantity(as_parsed(f"1 {unit}")).Value
+def in_words(value, unit):
+    """A number in an SI unit ("m", "N", "Pa", or "" for a share) as "−4.21 kN", "512 mm", "23 %"."""
+    size, name = unit_of(unit, abs(value))
+    return f"{localised(number_text(value / size))} {name}"
+
+
+def localised(number):
+    """A number in figures with the decimal point of the user's language."""
+    return number.replace(".", wording.habits().decimal_point)

@@ -4,18 +4,22 @@
 import FreeCAD
 import FreeCADGui
 
-from funicular.gui import legend, solving
 from funicular.features.form_of import form_of
+from funicular.features.section import SECTION_PROPERTIES
+from funicular.gui import legend, solving
+from funicular.gui.colouring import NAMES as COLOURING
+from funicular.gui.colouring import Coloured, add_colouring, colouring_of, is_complete, migrate_colouring
+from funicular.gui.drawing.reaction_arrows import ReactionArrows
 from funicular.gui.drawing.look import NAMES as LOOK
 from funicular.gui.drawing.look import add_look, exaggeration_of, look_of
-from funicular.gui.drawing.net_drawing import NetDrawing, packed
+from funicular.gui.drawing.net_drawing import NetDrawing
 from funicular.gui.drawing.surfaces import TIMBER
 from funicular.gui.icons import icon
 from funicular.gui.picking import clicked_object
-from funicular.gui.qt import QT_TRANSLATE_NOOP
 
-# The results that colours and legend are made of; the shape resets FreeCAD's own line colours.
-COLOURING_RESULTS = ("Shape", "MemberForces", "TensionMembers")
+# What colours and legend go by: of the results those that are written last, after the shape, which resets
+# FreeCAD's own line colours.
+COLOURING_DATA = ("TensionMembers", "SlackMembers", "Label", *(each.name for each in SECTION_PROPERTIES))
 LINE_WIDTH = 3.0
 
 # Through a covering the members are seen.
@@ -39,6 +43,9 @@ class ViewProvider:
     def attach(self, vobj):
         self.vobj = vobj
         self.add_properties(vobj)
+
+    def migrate(self, vobj):
+        """Take over what a file of an older version says, once all of it is read."""
 
     def refresh(self, vobj):
         """Bring what is shown beside the shape up to the object's results; here there is nothing."""
@@ -104,69 +111,94 @@ class ViewProviderGridshell(ViewProvider):
     _transaction = None
     # What is drawn of the results beside the shape, None where nothing is asked for.
     _drawing = None
+    # The Form that is shown, its colouring.Coloured, and the arrows beside it.
+    _form = coloured = None
+    _reactions = None
 
     def __init__(self, vobj):
         super().__init__(vobj)
         vobj.LineWidth = LINE_WIDTH
 
     def add_properties(self, vobj):
-        group = "Gridshell"
-        for name, documentation in (
-            ("ColourByForce", QT_TRANSLATE_NOOP("App::Property", "Colour each member by its force")),
-            ("ShowLegend", QT_TRANSLATE_NOOP("App::Property", "Show what force each colour stands for")),
-        ):
-            if name not in vobj.PropertiesList:
-                vobj.addProperty("App::PropertyBool", name, group, documentation)
-                setattr(vobj, name, True)
-        add_look(vobj, group)
+        add_colouring(vobj)
+        add_look(vobj, "Gridshell")
+
+    def migrate(self, vobj):
+        migrate_colouring(vobj)
 
     def claimChildren(self):
         obj = self.vobj.Object
         return [*([obj.Net] if obj.Net else []), *obj.Supports]
 
     def updateData(self, obj, prop):
-        if prop in COLOURING_RESULTS or prop == "Label":
+        if prop in COLOURING_DATA:
             self.refresh(obj.ViewObject)
-        # The summary is written last.
-        if prop in ("Summary", "Placement"):
+        if prop == "Placement" or (prop in COLOURING_DATA and self._panel is None):
             self.draw(obj.ViewObject)
 
     def onChanged(self, vobj, prop):
-        if prop in ("ColourByForce", "ShowLegend", "Visibility"):
+        of_colours = prop in COLOURING or prop in ("Visibility", "LineColor", "Exaggeration")
+        if of_colours:
             self.refresh(vobj)
-        if prop in LOOK or prop in ("ColourByForce", "LineWidth", "LineColor", "Visibility"):
+        if (prop in LOOK or prop == "LineWidth" or of_colours) and not (of_colours and self._panel):
             self.draw(vobj)
 
     def refresh(self, vobj):
-        obj = vobj.Object
-        # Properties arrive one at a time while a file is restored.
-        if not all(name in vobj.PropertiesList for name in ("ColourByForce", "ShowLegend")):
+        """Colours, legend and arrows of the document's results; while the panel is open, of what it shows."""
+        if not is_complete(vobj):
             return
-        if not all(name in obj.PropertiesList for name in COLOURING_RESULTS):
+        if self._panel is not None:
+            self._panel.session.show_again()
+            self.refresh_legend(vobj)
             return
-        scale = legend.scale_of(obj)
-        coloured = vobj.ColourByForce and len(obj.MemberForces) > 0
+        form = form_of(vobj.Object, exaggeration_of(vobj))
+        if form is None:
+            self.coloured = self._form = None
+            self._show_reactions(vobj, None)
+            legend.hide(vobj.Object)
+            return
         # FreeCAD keeps the old array when the number of members changes, so it is set after each recompute.
-        vobj.LineColorArray = scale.member_colours() if coloured else [tuple(vobj.LineColor[:3])]
-        if coloured and vobj.ShowLegend and vobj.Visibility:
-            legend.show(obj)
+        vobj.LineColorArray = self.colour(vobj, form).colours(vobj.LineColor)
+        self.refresh_legend(vobj)
+
+    def colour(self, vobj, form):
+        """The Coloured of a form that is shown from now on, its reactions as arrows if they are wanted."""
+        colouring = colouring_of(vobj)
+        if self.coloured is None or not self.coloured.holds_for(form, colouring):
+            self.coloured = Coloured(form, colouring)
+        self._form = form
+        self._show_reactions(vobj, form if vobj.ShowReactions and vobj.Visibility else None)
+        return self.coloured
+
+    def refresh_legend(self, vobj):
+        """Bring the legend up to what is shown; this takes longer than a frame has."""
+        wanted = self.coloured is not None and self.coloured.colouring.quantity is not None
+        if wanted and vobj.ShowLegend and vobj.Visibility:
+            legend.show(vobj.Object)
         else:
-            legend.hide(obj)
+            legend.hide(vobj.Object)
+
+    def _show_reactions(self, vobj, form):
+        if form is None:
+            arrows, self._reactions = self._reactions, None
+            if arrows is not None:
+                arrows.remove()
+            return
+        if self._reactions is None:
+            self._reactions = ReactionArrows(vobj)
+        self._reactions.show(form)
 
     def draw(self, vobj):
         """Draw what the view properties ask for beyond the shape; in the panel its session does."""
         if self._panel is not None:
             self._panel.session.show_again()
             return
-        form = None
-        if vobj.Visibility and not look_of(vobj).is_plain:
-            form = form_of(vobj.Object, exaggeration_of(vobj))
-        if form is None:
+        if self._form is None or not vobj.Visibility or look_of(vobj).is_plain:
             self.draw_nothing()
             return
         if self._drawing is None:
             self._drawing = NetDrawing(vobj, instead=False)
-        self._drawing.show(form, packed(vobj.LineColorArray, len(form.members)))
+        self._drawing.show(self._form, self.coloured)
         self._drawing.rest(at_once=True)
 
     def draw_nothing(self):
@@ -219,6 +251,7 @@ class ViewProviderGridshell(ViewProvider):
         # OK and Cancel have finished the panel by now; Esc in the 3D view has not.
         panel.dismiss()
         try:
+            self.refresh(vobj)
             self.draw(vobj)
         except ReferenceError:
             pass  # the gridshell was made for this panel and went with it, or the whole document did
@@ -263,6 +296,7 @@ def attach_view_provider(obj):
     kind = VIEW_PROVIDERS[obj.FunicularType]
     if not isinstance(vobj.Proxy, kind):
         kind(vobj).refresh(vobj)
+    vobj.Proxy.migrate(vobj)
 
 
 class DocumentObserver:

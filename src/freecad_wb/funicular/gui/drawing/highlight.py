@@ -10,18 +10,21 @@ MILLIMETRES = 1e3  # of a metre
 
 
 class Highlight:
-    """Coin nodes below `root`; empty until something is shown."""
+    """Coin nodes below `root`; empty until something is shown. rgb: their colour."""
 
-    def __init__(self, root):
+    def __init__(self, root, rgb=COLOUR):
         self._root = root
         self._nodes, self._members = (), ()
         self.separator = coin.SoSeparator()
         colour = coin.SoBaseColor()
-        colour.rgb = COLOUR
+        colour.rgb = rgb
         style = coin.SoDrawStyle()
         style.lineWidth, style.pointSize = LINE_WIDTH, POINT_SIZE
         self._line_points, self._points = coin.SoCoordinate3(), coin.SoCoordinate3()
         self._lines, self._dots = coin.SoLineSet(), coin.SoPointSet()
+        # Coin would take one point, at the origin, for what there is to be seen.
+        self._lines.numVertices.setNum(0)
+        self._dots.numPoints = 0
         for node in (colour, style, self._line_points, self._lines, self._points, self._dots):
             self.separator.addChild(node)
         root.addChild(self.separator)

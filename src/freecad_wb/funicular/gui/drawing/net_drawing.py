@@ -5,7 +5,6 @@ import FreeCAD
 import numpy as np
 from pivy import coin
 
-from funicular.gui import preferences
 from funicular.gui.drawing.ground import Ground
 from funicular.gui.drawing.highlight import Highlight
 from funicular.gui.drawing.look import look_of
@@ -15,6 +14,7 @@ from funicular.gui.drawing.surfaces import Covering, Source
 from funicular.gui.drawing.words import Words
 from funicular.gui.qt import QtCore, translate
 from funicular.shadows import toward_sun
+from funicular.wording import number
 
 NAME = "Funicular_drawing"
 SUNLIGHT, SHADE = 0.32, 0.30
@@ -68,10 +68,10 @@ class NetDrawing:
         """(n, 3) [m]: where the nodes are drawn, None before the first form."""
         return None if self._form is None else self._form.drawn_nodes
 
-    def show(self, form, colours=None):
+    def show(self, form, coloured):
         """Draw a Form in place of the one before; of many bars lines stand in for new ones until rest().
 
-        colours: (m,) of the members, packed as 0xRRGGBBAA; by their forces without it.
+        coloured: colouring.Coloured
         """
         self._stop_filling()
         self._form, self._look = form, look_of(self._vobj).fit_for(form)
@@ -80,7 +80,7 @@ class NetDrawing:
         set_points(self._points, form.drawn_nodes)
         if self._asked(Members, look.members and not left_to_shape, self._points):
             self._parts[Members].show(form, self._vobj.LineWidth, look)
-            self._colour(form, colours)
+            self._colour(coloured)
         if self._asked(Covering, look.covering, self._points):
             self._parts[Covering].show(form)
         if self._asked(Source, look.source):
@@ -93,7 +93,7 @@ class NetDrawing:
         if self._asked(Ground, look.ground):
             self._show_ground()
         if self._asked(Words, form.exaggeration != 1.0):
-            text = translate("Displacement × {}").format(f"{form.exaggeration:.3g}")
+            text = translate("Displacement × {}").format(number(form.exaggeration, ".3g"))
             self._parts[Words].show(form.drawn_nodes, text)
         if not self._instead:
             self._hide_shape(not left_to_shape, form.exaggeration != 1.0)
@@ -133,12 +133,11 @@ class NetDrawing:
             self._root.removeChild(self._parts.pop(kind).node)
         return bool(is_asked)
 
-    def _colour(self, form, colours):
-        if colours is None and form.member_forces is not self._coloured_by:
-            colours = _packed(form)
-        if colours is not None:
-            self._parts[Members].colour(colours)
-        self._coloured_by = form.member_forces
+    def _colour(self, coloured):
+        plain = tuple(self._vobj.LineColor[:3])
+        if (coloured, plain) != self._coloured_by:
+            self._parts[Members].colour(coloured.packed(plain))
+            self._coloured_by = coloured, plain
 
     def _show_ground(self):
         throwing = [self._parts[kind].group for kind in (Members, Covering) if kind in self._parts]
@@ -175,26 +174,3 @@ class NetDrawing:
             unpickable.setOverride(True)
             self._hiding.addChild(unpickable)
         root.insertChild(self._hiding, root.findChild(self._vobj.SwitchNode))
-
-
-def packed(colours, count):
-    """(count,) colours 0xRRGGBBAA of colours (r, g, b, …) between 0 and 1, of which one may stand for all."""
-    rgb = np.array([colour[:3] for colour in colours]).reshape(-1, 3)
-    if len(rgb) != count:
-        rgb = np.broadcast_to(rgb[:1], (count, 3))
-    return _packed_rgb(rgb)
-
-
-def _packed(form):
-    """(m,) colours 0xRRGGBBAA of the members by their force."""
-    ramp = np.array(preferences.ramps().compression)
-    largest = max(-form.member_forces.min(initial=0.0), 1e-300)
-    place = np.clip(-form.member_forces / largest, 0.0, 1.0) * (len(ramp) - 1)
-    low = np.minimum(place.astype(int), len(ramp) - 2)
-    rgb = ramp[low] + (place - low)[:, None] * (ramp[low + 1] - ramp[low])
-    return _packed_rgb(rgb)
-
-
-def _packed_rgb(rgb):
-    red, green, blue = np.rint(255 * rgb).astype(np.uint32).T
-    return red << 24 | green << 16 | blue << 8 | 255

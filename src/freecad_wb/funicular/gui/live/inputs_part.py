@@ -18,10 +18,14 @@ class InputsPart(QtWidgets.QWidget):
     on_edit : callable()
         Called after each edit, readable or not. What was typed is for it to hand to session.change(), once
         the typing has ended.
+    change : callable(), optional
+        Called after a choice, and when an object has gone, instead of session.change(): for what is solved by
+        nothing.
     """
 
-    def __init__(self, session, rows, unreadable, on_edit):
+    def __init__(self, session, rows, unreadable, on_edit, change=None):
         super().__init__()
+        self._change = change or session.change
         self._session, self._unreadable, self._on_edit = session, unreadable, on_edit
         self.form = QtWidgets.QFormLayout(self)
         self.form.setContentsMargins(0, 0, 0, 0)
@@ -48,7 +52,7 @@ class InputsPart(QtWidgets.QWidget):
 
     def leave(self):
         """Hold nothing of the panel: PySide keeps what FreeCAD's own boxes were connected to."""
-        self._session, self._on_edit, self._unreadable, self._set = None, None, {}, {}
+        self._session, self._change, self._on_edit, self._unreadable, self._set = None, None, None, {}, {}
         self._rows, self._driven = [], []
 
     def set_value(self, name, value):
@@ -122,11 +126,11 @@ class InputsPart(QtWidgets.QWidget):
                 if not expression_of(obj, name) and getattr(obj, name) != value:
                     setattr(obj, name, value)
                     if at_once:
-                        self._session.change()
+                        self._change()
                 self._follow(obj, name)
             except ReferenceError:
                 # The object is gone, and what depended on it says so when it is solved.
-                self._session.change()
+                self._change()
             except (TypeError, ValueError) as error:
                 self._unreadable[name] = f"{name}: {error}"
             self._on_edit()

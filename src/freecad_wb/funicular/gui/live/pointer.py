@@ -31,6 +31,7 @@ class Pointer(QtCore.QObject):
         super().__init__(parent)
         self._document, self._placement = document, placement
         self._takers = []
+        self.tip = Tip()
         QtWidgets.QApplication.instance().installEventFilter(self)
 
     def add(self, taker):
@@ -44,6 +45,7 @@ class Pointer(QtCore.QObject):
         """Listen no more."""
         QtWidgets.QApplication.instance().removeEventFilter(self)
         self._takers = []
+        self.tip.clear()
         self.deleteLater()
 
     def eventFilter(self, watched, event):
@@ -70,6 +72,32 @@ class Pointer(QtCore.QObject):
         view = active.ActiveView if active and active.Document == self._document else None
         # A press makes a view the active one before this; what only passes over another is not ours.
         return view if hasattr(view, "getCameraNode") else None
+
+
+class Tip:
+    """The tooltip at the mouse, which those who take part share: it says what each of them has to say."""
+
+    def __init__(self):
+        self._said, self._shown = {}, ""
+
+    def say(self, taker, words, at=None):
+        """What one of them says from now on, "" for nothing. at: At of the mouse, to show it there."""
+        self._said.pop(id(taker), None)
+        if words:
+            self._said[id(taker)] = words
+        text = "\n".join(self._said.values())
+        if text and at is not None:
+            self._shown = text
+            QtWidgets.QToolTip.showText(at.on_global_screen, text)
+        elif not text:
+            self.clear()
+
+    def clear(self):
+        """Nothing is said; another's tooltip stays."""
+        self._said = {}
+        if self._shown:
+            self._shown = ""
+            QtWidgets.QToolTip.hideText()
 
 
 class At:

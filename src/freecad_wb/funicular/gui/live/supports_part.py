@@ -21,7 +21,7 @@ from funicular.gui.live.support_list import stiffness_of, words_of
 from funicular.gui.live.support_steps import SupportSteps
 from funicular.gui.live.supports_form import SupportsForm
 from funicular.gui.picking import WrongSelection
-from funicular.gui.qt import QtWidgets, translate
+from funicular.gui.qt import translate
 from funicular.gui.texts import WRONG
 from funicular.held import held_of
 
@@ -71,7 +71,7 @@ class SupportsPart(SupportsForm):
         self.tools.leave()
         self._pointer.remove(self.tools)
         self.marks.remove()
-        QtWidgets.QToolTip.hideText()
+        self._pointer.tip.say(self.tools, "")
         for switch, was in self._hidden.values():
             try:
                 switch.whichChild = was
@@ -171,10 +171,7 @@ class SupportsPart(SupportsForm):
             words = words_of(self._shell, entry[0], len(entry[1]))
         self.marks.hover(shown)
         self.list.mark(None if entry is None else _name(entry[0]))
-        if words:
-            QtWidgets.QToolTip.showText(at.on_global_screen, words)
-        else:
-            QtWidgets.QToolTip.hideText()
+        self._pointer.tip.say(self.tools, words, at)
         self._draw(HOVER)
 
     def _picked(self):
