@@ -14,8 +14,12 @@ class FunicularWorkbench(FreeCADGui.Workbench):
     def __init__(self):
         import os
         import FreeCAD
+        import FreeCADGui
         import funicular_locate
 
+        # Before anything is said: what FreeCAD lists of a workbench, it lists once.
+        FreeCADGui.addLanguagePath(funicular_locate.TRANSLATION_FOLDER)
+        FreeCADGui.updateLocale()
         translate = FreeCAD.Qt.translate
         self.__class__.MenuText = translate("Workbench", "Funicular")
         self.__class__.ToolTip = translate("Workbench", "Turn a surface into a compression-only gridshell")

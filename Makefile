@@ -48,6 +48,12 @@ film: build
 	    > build/film/log 2>&1 || { cat build/film/log >&2; exit 1; }
 	@$(PYTHON) examples/film.py build/film/frames docs/session.gif
 
+guide: build ## the pictures of docs/guide.md, taken in FreeCAD's window on a virtual display
+	@mkdir -p build/guide/home
+	@FREECAD_USER_HOME=$(CURDIR)/build/guide/home $(FREECAD) tools/install.py --link
+	@FREECAD_USER_HOME=$(CURDIR)/build/guide/home FUNICULAR_GUIDE=docs/guide LC_ALL=C.UTF-8 $(DISPLAY_RUN) \
+	    freecad $(CURDIR)/examples/guide.py > build/guide/log 2>&1 || { cat build/guide/log >&2; exit 1; }
+
 accuracy: build ## what accuracy costs in time, by each method: docs/accuracy.png; some minutes
 	@$(PYTHON) examples/accuracy.py docs/accuracy.png
 
@@ -74,6 +80,9 @@ lint: configure ## clang-format, clang-tidy, black, flake8: changes nothing
 
 format: setup ## let clang-format and black rewrite the sources
 	@tools/format.sh
+
+translations: build ## bring Resources/translations up to what a user can read; NEW=fr begins French
+	@$(FREECAD) tools/translations.py $(NEW)
 
 ##@ Measuring
 # BENCH_QUICK=1 stops at 10⁴ nodes and leaves out the relaxation: minutes instead of half an hour.
@@ -149,5 +158,5 @@ soak: build ## random scenes and mesh files for SOAK_SECONDS (600): new ones eve
 clean: ## remove build/ and the compiled module
 	rm -rf build src/freecad_wb/funicular/_core*.so
 
-.PHONY: help demo gallery film accuracy gui install setup configure build lint format bench bench-peers test test-core test-sanitize test-house \
+.PHONY: help demo gallery film guide accuracy gui install setup configure build lint format translations bench bench-peers test test-core test-sanitize test-house \
 	test-python test-freecad test-gui soak clean

@@ -8,7 +8,10 @@ import sys
 # addon must keep the path of the link.
 ROOT = os.path.dirname(os.path.abspath(__file__))
 PACKAGE_FOLDER = os.path.join(ROOT, "src", "freecad_wb")
-ICON_FOLDER = os.path.join(ROOT, "Resources", "icons")
+RESOURCE_FOLDER = os.path.join(ROOT, "Resources")
+ICON_FOLDER = os.path.join(RESOURCE_FOLDER, "icons")
+TRANSLATION_FOLDER = os.path.join(RESOURCE_FOLDER, "translations")
+GUIDE = os.path.join(ROOT, "docs", "guide.md")
 
 
 def add_package_to_path():

@@ -21,7 +21,15 @@ TARGET = os.path.join(App.getUserAppDataDir(), "Mod", "Funicular")
 def parts():
     """What to copy, relative to the checkout."""
     modules = sorted(name for name in os.listdir(CHECKOUT) if name.endswith(".py"))
-    return modules + ["package.xml", "LICENSE", "README.md", "Resources", os.path.join("src", "freecad_wb")]
+    guide = [os.path.join("docs", name) for name in ("guide.md", "guide")]
+    return modules + [
+        "package.xml",
+        "LICENSE",
+        "README.md",
+        "Resources",
+        *guide,
+        os.path.join("src", "freecad_wb"),
+    ]
 
 
 def check_target():

@@ -2,7 +2,8 @@
 """Colours by force and the legend's marks: numbers only, so no FreeCAD."""
 
 import pytest
-from funicular.colours import ON_PAPER, ON_SCREEN, ramp_colours
+from funicular import wording
+from funicular.colours import ON_PAPER, ON_SCREEN, ONE_RAMP, ramp_colours
 from funicular.quantities import FORCE
 from funicular.scale import Scale
 
@@ -62,10 +63,20 @@ def test_each_ramp_darkens_steadily(ramps):
         assert all(after < before for before, after in zip(light, light[1:]))
 
 
+def test_one_ramp_grows_lighter_from_most_compression_to_most_tension():
+    ramp = [ramp_colour(ONE_RAMP.compression, 1 - i / 20) for i in range(21)]
+    ramp += [ramp_colour(ONE_RAMP.tension, i / 20) for i in range(21)]
+    light = [luminance(colour) for colour in ramp]
+    assert all(before < after for before, after in zip(light, light[1:]))
+    # Tension is set apart from what bears nothing.
+    assert light[21] > 1.4 * light[20]
+
+
+@pytest.mark.parametrize("ramps", [ON_SCREEN, ONE_RAMP])
 @pytest.mark.parametrize("background", BACKGROUNDS)
-def test_every_colour_on_the_screen_stands_out_from_what_is_behind_it(background):
+def test_every_colour_on_the_screen_stands_out_from_what_is_behind_it(background, ramps):
     behind = luminance(BACKGROUNDS[background])
-    for ramp in (ON_SCREEN.compression, ON_SCREEN.tension, ON_SCREEN.amount):
+    for ramp in (ramps.compression, ramps.tension, ramps.amount):
         for i in range(21):
             light = luminance(ramp_colour(ramp, i / 20))
             # The contrast of WCAG 2, in which 1 is no contrast.
@@ -149,3 +160,20 @@ def test_no_forces_at_all_still_make_a_scale():
         assert as_list(scale.colours()) == [COMPRESSION_RAMP[0]] * len(forces)
         assert scale.marks() == [(1.0, 0.0)]
         assert len(scale.bar_colours([0.5])) == 1
+
+
+@pytest.fixture
+def habits(monkeypatch):
+    return lambda *values: monkeypatch.setattr(wording, "habits", lambda: wording.Habits(*values))
+
+
+def test_words_are_written_as_the_user_reckons(habits):
+    assert wording.force_text(1234.5) == "1.23 kN" and wording.force_text(12.0) == "12 N"
+    assert wording.short_length_text(0.4e-3) == "0.4 mm"
+    habits(("lbf", "kip"), ("in", 0.0254), ".")
+    assert wording.force_text(4.4482216152605) == "1 lbf"
+    assert wording.force_text(10 * 4448.2216152605) == "10 kip"
+    assert wording.short_length_text(0.0254 / 16) == "0.062 in"
+    habits(("kN",), ("mm", 1e-3), ",")
+    assert wording.force_text(12.0) == "0,012 kN" and wording.time_text(0.0012) == "1,2 ms"
+    assert wording.length_text(0.0015) == "1,5 mm"

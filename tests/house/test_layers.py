@@ -17,8 +17,8 @@ NUMERIC += [
 SOLVER = {"equilibrium", "newton", "relaxation", "solve", "solver"}
 
 
-# What films the window needs one.
-OF_THE_WINDOW = ("InitGui.py", "film.py")
+# What films the window, or takes its pictures, needs one.
+OF_THE_WINDOW = ("InitGui.py", "film.py", "guide.py")
 
 
 def without_window():

@@ -45,6 +45,15 @@ ON_SCREEN = Ramps(
     unknown=(0.60, 0.60, 0.60),
 )
 
+# Forces on one ramp from most compression to most tension, after viridis: ever lighter, so that lightness is
+# enough to tell.
+ONE_RAMP = Ramps(
+    compression=((0.12, 0.63, 0.53), (0.15, 0.53, 0.56), (0.19, 0.45, 0.58), (0.23, 0.40, 0.60)),
+    tension=((0.62, 0.74, 0.12), (0.78, 0.70, 0.10), (0.90, 0.69, 0.05)),
+    amount=ON_SCREEN.amount,
+    unknown=ON_SCREEN.unknown,
+)
+
 
 def ramp_colours(ramp, shares):
     """(k, 3) colours (r, g, b), each in [0, 1], at shares (k,) of a ramp of evenly spaced colours.

@@ -29,6 +29,8 @@ TITLES = [
     "What accuracy costs",
 ]
 
+GUIDE = "Funicular guide"
+
 
 def test_workbench_has_an_icon_a_toolbar_and_a_menu(workbench):
     window = Gui.getMainWindow()
@@ -40,7 +42,7 @@ def test_workbench_has_an_icon_a_toolbar_and_a_menu(workbench):
         menu for menu in window.findChildren(QtWidgets.QMenu) if menu.title().replace("&", "") == "Funicular"
     ]
     assert len(menus) == 1
-    assert [action.text().replace("&", "") for action in menus[0].actions()] == TITLES
+    assert [action.text().replace("&", "") for action in menus[0].actions()] == [*TITLES, GUIDE]
     with open(workbench.Icon, encoding="utf-8") as icon:
         assert "<svg" in icon.read()
 

@@ -4,7 +4,7 @@
 import FreeCAD as App
 
 from ..panels import Cover
-from ..wording import force_text
+from ..wording import force_text, number, short_length_text
 
 translate = App.Qt.translate
 
@@ -12,6 +12,8 @@ translate = App.Qt.translate
 REMARKABLE_STRETCH = 1.5
 # Nor one that has fallen together.
 REMARKABLE_SHRINKAGE = 0.1
+# [m]: what is less is of no use to anyone who builds.
+LEAST_TOLD = 1e-6
 
 # What a user can turn where the solver did not arrive.
 PROPERTIES_TO_CHANGE = {
@@ -46,27 +48,26 @@ def sentence_of(scene, result, certificate, left=None):
     if stretch > REMARKABLE_STRETCH:
         sentences.append(
             translate(
-                "Funicular", "Members up to {:.3g} times as long as on the face: stiffer ones stretch less"
-            ).format(stretch)
+                "Funicular", "Members up to {} times as long as on the face: stiffer ones stretch less"
+            ).format(number(stretch, ".3g"))
         )
     left = Cover(scene.net).left(result.nodes) if left is None else left
     if left < REMARKABLE_SHRINKAGE:
         sentences.append(
             translate(
                 "Funicular",
-                "But its panels have shrunk to {:.2g} % of their area, as where one point holds all: choose "
+                "But its panels have shrunk to {} % of their area, as where one point holds all: choose "
                 "other supports",
-            ).format(100 * left)
+            ).format(number(100 * left, ".2g"))
         )
     return ". ".join(sentences) + "."
 
 
 def distance_text(position_error):
     """0.4 mm from equilibrium. position_error: [m]"""
-    away = position_error * 1e3
-    if away < 0.001:
-        return translate("Funicular", "Less than 0.001 mm from equilibrium")
-    return translate("Funicular", "{:.2g} mm from equilibrium").format(away)
+    if position_error < LEAST_TOLD:
+        return translate("Funicular", "Less than {} from equilibrium").format(short_length_text(LEAST_TOLD))
+    return translate("Funicular", "{} from equilibrium").format(short_length_text(position_error))
 
 
 def stretch_of(scene, result):

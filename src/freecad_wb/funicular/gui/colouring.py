@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from funicular.colours import ON_SCREEN, packed
+from funicular.colours import packed
 from funicular.features.feature import EXPECTED, reason
 from funicular.features.section import section_of
+from funicular.gui import preferences
 from funicular.gui.qt import QT_TRANSLATE_NOOP, translate
 from funicular.gui.units import unit_of
 from funicular.quantities import QUANTITIES, are_in_tension
@@ -176,7 +177,9 @@ class Coloured:
         if values is None:
             self.missing = translate(MISSING[quantity.needs])
             return
-        self.scale = Scale(values, quantity, are_in_tension(form), colouring.limits, ON_SCREEN, unit_of)
+        self.scale = Scale(
+            values, quantity, are_in_tension(form), colouring.limits, preferences.ramps(), unit_of
+        )
 
     @property
     def title(self):
@@ -189,7 +192,7 @@ class Coloured:
         plain: that colour, where none are wanted.
         """
         if self.scale is None:
-            return [ON_SCREEN.unknown if self.missing else tuple(plain[:3])]
+            return [preferences.ramps().unknown if self.missing else tuple(plain[:3])]
         return [tuple(colour) for colour in self.scale.colours().tolist()]
 
     def packed(self, plain):

@@ -6,8 +6,9 @@ import math
 import FreeCAD
 import FreeCADGui
 
+from funicular.gui import preferences
 from funicular.gui.edit_commands import RaiseCommand, TakeOutCommand
-from funicular.gui.icons import icon
+from funicular.gui.command import Command
 from funicular.gui.load_command import PointLoadCommand
 from funicular.gui.one_step import in_one_step
 from funicular.gui.picking import (
@@ -27,25 +28,24 @@ CELLS_ACROSS = 24
 FEWEST_CELLS = 4
 
 
-class GridshellCommand:
+class GridshellCommand(Command):
     """Selected face (or Net) → Net, Gridshell and the gridshell's panel, all of it one undo step."""
 
     NAME = "Funicular_Gridshell"
 
-    def GetResources(self):
-        what = QT_TRANSLATE_NOOP(
-            "Funicular_Gridshell",
-            "Turn the selected face into a compression-only gridshell.\n"
-            "Select a face in the 3D view, several of one body, or a Net in the tree, then run this command.",
-        )
-        return {
-            "Pixmap": icon(self.NAME),
-            "MenuText": QT_TRANSLATE_NOOP("Funicular_Gridshell", "Gridshell"),
-            "ToolTip": what,
-            "WhatsThis": self.NAME,
-            "StatusTip": what,
-            "Accel": "G, S",
-        }
+    MENU_TEXT = QT_TRANSLATE_NOOP("Funicular_Gridshell", "Gridshell")
+    TOOL_TIP = QT_TRANSLATE_NOOP(
+        "Funicular_Gridshell",
+        "Turn the selected face into a compression-only gridshell.\n"
+        "Select a face in the 3D view, several of one body, or a Net in the tree, then run this command.",
+    )
+    WHATS_THIS = QT_TRANSLATE_NOOP(
+        "Funicular_Gridshell",
+        "A net is laid on the face and relaxed until each member is compressed. The panel "
+        "that opens has its steps, weights and supports. Shape and numbers follow the face "
+        "from then on.",
+    )
+    ACCEL = "G, S"
 
     def IsActive(self):
         if FreeCADGui.Control.activeDialog():
@@ -78,7 +78,7 @@ class GridshellCommand:
             clicked_object(source).Visibility = False
 
 
-class SheetCommand:
+class SheetCommand(Command):
     """A flat sheet on four corners, its gridshell and the gridshell's panel, all of it one undo step."""
 
     NAME = "Funicular_Sheet"
@@ -86,20 +86,18 @@ class SheetCommand:
     # A hall of moderate size; the panel that opens has both as inputs.
     WIDTH, DEPTH, STEP = "12 m", "9 m", "500 mm"
 
-    def GetResources(self):
-        what = QT_TRANSLATE_NOOP(
-            "Funicular_Sheet",
-            "Start from a flat sheet of given size, which rises between its four corners.\n"
-            "Nothing needs to be selected.",
-        )
-        return {
-            "Pixmap": icon(self.NAME),
-            "MenuText": QT_TRANSLATE_NOOP("Funicular_Sheet", "Flat sheet"),
-            "ToolTip": what,
-            "WhatsThis": self.NAME,
-            "StatusTip": what,
-            "Accel": "G, F",
-        }
+    MENU_TEXT = QT_TRANSLATE_NOOP("Funicular_Sheet", "Flat sheet")
+    TOOL_TIP = QT_TRANSLATE_NOOP(
+        "Funicular_Sheet",
+        "Start from a flat sheet of given size, which rises between its four corners.\n"
+        "Nothing needs to be selected.",
+    )
+    WHATS_THIS = QT_TRANSLATE_NOOP(
+        "Funicular_Sheet",
+        "The sheet stands on its four corners and rises between them. The panel that opens "
+        "has its width, its depth and all else that a gridshell has.",
+    )
+    ACCEL = "G, F"
 
     def IsActive(self):
         return not FreeCADGui.Control.activeDialog()
@@ -119,6 +117,7 @@ class SheetCommand:
                 StepU=self.STEP,
                 StepV=self.STEP,
                 SupportRecipe="Corners",
+                Accuracy=f"{preferences.accuracy()} mm",
             )
         except Exception as error:
             document.abortTransaction()
@@ -134,25 +133,24 @@ class SheetCommand:
         proxy.fit_at_rest()
 
 
-class SupportCommand:
+class SupportCommand(Command):
     """Selected Gridshell, and edges or vertices → a Support there, one undo step."""
 
     NAME = "Funicular_Support"
 
-    def GetResources(self):
-        what = QT_TRANSLATE_NOOP(
-            "Funicular_Support",
-            "Hold the selected gridshell at its border, or where edges and vertices are selected too.\n"
-            "Select a Gridshell, and with it nodes of its own, or edges and vertices of its source.",
-        )
-        return {
-            "Pixmap": icon(self.NAME),
-            "MenuText": QT_TRANSLATE_NOOP("Funicular_Support", "Support"),
-            "ToolTip": what,
-            "WhatsThis": self.NAME,
-            "StatusTip": what,
-            "Accel": "G, P",
-        }
+    MENU_TEXT = QT_TRANSLATE_NOOP("Funicular_Support", "Support")
+    TOOL_TIP = QT_TRANSLATE_NOOP(
+        "Funicular_Support",
+        "Hold the selected gridshell at its border, or where edges and vertices are selected too.\n"
+        "Select a Gridshell, and with it nodes of its own, or edges and vertices of its source.",
+    )
+    WHATS_THIS = QT_TRANSLATE_NOOP(
+        "Funicular_Support",
+        "The new Support stands in the tree, and its properties say how it holds its nodes: "
+        "fixed, sliding in a plane or on a line, yielding, or not at all. It outlives other "
+        "steps of the net.",
+    )
+    ACCEL = "G, P"
 
     def IsActive(self):
         return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
@@ -179,25 +177,24 @@ class SupportCommand:
             FreeCADGui.Selection.addSelection(made[0])
 
 
-class CoveringCommand:
+class CoveringCommand(Command):
     """Selected Gridshell → Covering of its panels, one undo step."""
 
     NAME = "Funicular_Covering"
 
-    def GetResources(self):
-        what = QT_TRANSLATE_NOOP(
-            "Funicular_Covering",
-            "Cover the panels of the selected gridshell with faces.\n"
-            "Select one Gridshell in the tree or in the 3D view, then run this command.",
-        )
-        return {
-            "Pixmap": icon(self.NAME),
-            "MenuText": QT_TRANSLATE_NOOP("Funicular_Covering", "Covering"),
-            "ToolTip": what,
-            "WhatsThis": self.NAME,
-            "StatusTip": what,
-            "Accel": "G, C",
-        }
+    MENU_TEXT = QT_TRANSLATE_NOOP("Funicular_Covering", "Covering")
+    TOOL_TIP = QT_TRANSLATE_NOOP(
+        "Funicular_Covering",
+        "Cover the panels of the selected gridshell with faces.\n"
+        "Select one Gridshell in the tree or in the 3D view, then run this command.",
+    )
+    WHATS_THIS = QT_TRANSLATE_NOOP(
+        "Funicular_Covering",
+        "Each panel becomes a face that other commands of FreeCAD can use and that STEP files "
+        "take. The Covering says which panels are warped and by how much, and follows the "
+        "gridshell.",
+    )
+    ACCEL = "G, C"
 
     def IsActive(self):
         return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
@@ -214,25 +211,23 @@ class CoveringCommand:
         in_one_step(shell.Document, translate("Covering"), lambda: [make_covering(shell.Document, shell)])
 
 
-class AccuracyStudyCommand:
+class AccuracyStudyCommand(Command):
     """Selected Gridshell → the dock that measures what accuracy costs it; the document stays as it is."""
 
     NAME = "Funicular_AccuracyStudy"
 
-    def GetResources(self):
-        what = QT_TRANSLATE_NOOP(
-            "Funicular_AccuracyStudy",
-            "Measure how long the selected gridshell takes at several accuracies, and choose one.\n"
-            "Select one Gridshell in the tree or in the 3D view, then run this command.",
-        )
-        return {
-            "Pixmap": icon(self.NAME),
-            "MenuText": QT_TRANSLATE_NOOP("Funicular_AccuracyStudy", "What accuracy costs"),
-            "ToolTip": what,
-            "WhatsThis": self.NAME,
-            "StatusTip": what,
-            "Accel": "G, A",
-        }
+    MENU_TEXT = QT_TRANSLATE_NOOP("Funicular_AccuracyStudy", "What accuracy costs")
+    TOOL_TIP = QT_TRANSLATE_NOOP(
+        "Funicular_AccuracyStudy",
+        "Measure how long the selected gridshell takes at several accuracies, and choose one.\n"
+        "Select one Gridshell in the tree or in the 3D view, then run this command.",
+    )
+    WHATS_THIS = QT_TRANSLATE_NOOP(
+        "Funicular_AccuracyStudy",
+        "A plot grows beside the 3D view, and nothing waits for it. Click a point of it, and "
+        "the gridshell takes that accuracy and method.",
+    )
+    ACCEL = "G, A"
 
     def IsActive(self):
         return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
@@ -250,21 +245,44 @@ class AccuracyStudyCommand:
         accuracy_dock.show(shell)
 
 
+class GuideCommand(Command):
+    """The guide, in a window of its own."""
+
+    NAME = "Funicular_Guide"
+
+    MENU_TEXT = QT_TRANSLATE_NOOP("Funicular_Guide", "Funicular guide")
+    TOOL_TIP = QT_TRANSLATE_NOOP(
+        "Funicular_Guide",
+        "Two pages with pictures: from a face to a gridshell and out.",
+    )
+    WHATS_THIS = QT_TRANSLATE_NOOP(
+        "Funicular_Guide",
+        "The guide opens in a window of its own and needs no network.",
+    )
+    ACCEL = "G, H"
+
+    def Activated(self):
+        from funicular.gui import guide
+
+        guide.show()
+
+
 def _make(document, source, net):
     from funicular import _native
     from funicular.make import make_gridshell
 
     # Where the module is missing this raises a sentence, before there are objects that could only fail.
     _native.load()
+    accuracy = f"{preferences.accuracy()} mm"
     if net is not None:
-        shell = make_gridshell(document, net=net)
+        shell = make_gridshell(document, net=net, Accuracy=accuracy)
         net.Visibility = False
     else:
         root, paths = source
         face = root.getSubObject(paths[0])
         face = face.Faces[0] if getattr(face, "Faces", None) else None
         step_u, step_v = (f"{step} mm" for step in starting_steps(face))
-        shell = make_gridshell(document, source=source, StepU=step_u, StepV=step_v)
+        shell = make_gridshell(document, source=source, StepU=step_u, StepV=step_v, Accuracy=accuracy)
     return shell
 
 
@@ -309,5 +327,9 @@ COMMANDS = {
         RaiseCommand,
         TakeOutCommand,
         AccuracyStudyCommand,
+        GuideCommand,
     )
 }
+
+# Of these, what belongs in FreeCAD's own help menu.
+HELP = [GuideCommand.NAME]

@@ -3,31 +3,29 @@
 
 import FreeCADGui
 
-from funicular.gui.icons import icon
+from funicular.gui.command import Command
 from funicular.gui.one_step import in_one_step
 from funicular.gui.picking import WrongSelection, picked_parts
 from funicular.gui.qt import QT_TRANSLATE_NOOP, translate
 
 
-class TakeOutCommand:
+class TakeOutCommand(Command):
     """Selected members of a Gridshell, or faces of its Covering → openings in its net, one undo step."""
 
     NAME = "Funicular_TakeOut"
 
-    def GetResources(self):
-        what = QT_TRANSLATE_NOOP(
-            "Funicular_TakeOut",
-            "Take the selected members out of the net, or the panels whose faces are selected.\n"
-            "Select members of a Gridshell, or faces of its Covering. Their place on the face is kept.",
-        )
-        return {
-            "Pixmap": icon(self.NAME),
-            "MenuText": QT_TRANSLATE_NOOP("Funicular_TakeOut", "Take out"),
-            "ToolTip": what,
-            "WhatsThis": self.NAME,
-            "StatusTip": what,
-            "Accel": "G, T",
-        }
+    MENU_TEXT = QT_TRANSLATE_NOOP("Funicular_TakeOut", "Take out")
+    TOOL_TIP = QT_TRANSLATE_NOOP(
+        "Funicular_TakeOut",
+        "Take the selected members out of the net, or the panels whose faces are selected.\n"
+        "Select members of a Gridshell, or faces of its Covering. Their place on the face is kept.",
+    )
+    WHATS_THIS = QT_TRANSLATE_NOOP(
+        "Funicular_TakeOut",
+        "The covering of an opening stands on its rim. The gridshell is relaxed again. Undo "
+        "takes it back.",
+    )
+    ACCEL = "G, T"
 
     def IsActive(self):
         return not FreeCADGui.Control.activeDialog() and bool(FreeCADGui.Selection.getSelection())
@@ -40,7 +38,7 @@ class TakeOutCommand:
         )
 
 
-class RaiseCommand:
+class RaiseCommand(Command):
     """Selected nodes of a Gridshell → nodes of its net that are higher by a part of a step, one undo step."""
 
     NAME = "Funicular_Raise"
@@ -48,20 +46,17 @@ class RaiseCommand:
     # A part of the net's step: to be seen, and repeated for more.
     PART_OF_STEP = 0.25
 
-    def GetResources(self):
-        what = QT_TRANSLATE_NOOP(
-            "Funicular_Raise",
-            "Raise the selected nodes of the net by a quarter of a member, and again for more.\n"
-            "Select nodes of a Gridshell. The height of each is in the property Raised of its Net.",
-        )
-        return {
-            "Pixmap": icon(self.NAME),
-            "MenuText": QT_TRANSLATE_NOOP("Funicular_Raise", "Raise"),
-            "ToolTip": what,
-            "WhatsThis": self.NAME,
-            "StatusTip": what,
-            "Accel": "G, R",
-        }
+    MENU_TEXT = QT_TRANSLATE_NOOP("Funicular_Raise", "Raise")
+    TOOL_TIP = QT_TRANSLATE_NOOP(
+        "Funicular_Raise",
+        "Raise the selected nodes of the net by a quarter of a member, and again for more.\n"
+        "Select nodes of a Gridshell. The height of each is in the property Raised of its Net.",
+    )
+    WHATS_THIS = QT_TRANSLATE_NOOP(
+        "Funicular_Raise",
+        "The gridshell is relaxed again on the net that was changed. Undo takes it back.",
+    )
+    ACCEL = "G, R"
 
     def IsActive(self):
         return not FreeCADGui.Control.activeDialog() and bool(FreeCADGui.Selection.getSelection())

@@ -7,7 +7,7 @@ from funicular.gui.background import Background
 from funicular.gui.lengths import length_in_words
 from funicular.gui.qt import QtWidgets, translate
 from funicular.gui.texts import WrappedText
-from funicular.wording import time_text
+from funicular.wording import number, time_text
 
 
 class EffectList(QtWidgets.QWidget):
@@ -83,13 +83,13 @@ def _effects_in_words(scene, accuracy, is_wanted):
 
 def _row_in_words(row, accuracy):
     """Snow: 3.9 ms, 16 % of the time, 39 calls, 0.1 kB. Without it 22 % faster, 63.2 cm moved."""
-    name = NAMES[row["effect"]]
-    words = translate("{}: {}, {} % of the time, {} calls, {:.1f} kB.").format(
+    name = translate(NAMES[row["effect"]])
+    words = translate("{}: {}, {} % of the time, {} calls, {} kB.").format(
         name[0].upper() + name[1:],
         time_text(row["seconds"]),
         round(100 * row["share"]),
         row["evaluations"],
-        row["bytes"] / 1e3,
+        number(row["bytes"] / 1e3, ".1f"),
     )
     if row["moved"] is None:
         # It says why there is nothing to compare with; of stiffness nobody asks.

@@ -9,6 +9,8 @@ import FreeCADGui
 
 from funicular.gui.pattern_icons import pattern_icon
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
+from funicular.gui.input_units import amount_in, as_parsed, unit_of
+from funicular.wording import number
 
 # (heading, ((owner, property, label), …)), in the order of the panel and of the Tab key.
 SECTIONS = (
@@ -69,17 +71,6 @@ SECTIONS = (
     ),
 )
 
-# FreeCAD's unit schemas know no kg/m and kg/m²: its own box shows 30 kg/m² as "0.00 kg/mm^2" and rounds it to
-# that. Snow it would show as "0.00 Pa", and no one counts snow in pascals; strengths as "6000.00 kPa".
-UNITS = {
-    "MemberWeight": "kg/m",
-    "CoveringWeight": "kg/m²",
-    "Snow": "kN/m²",
-    "CompressiveStrength": "MPa",
-    "YoungsModulus": "MPa",
-}
-
-
 # Inputs that say nothing unless another property of their object has one of the values given.
 ONLY_WHERE = {name: ("Laying", "Equal lengths") for name in ("Start", "Crossing", "MostShear")}
 ONLY_WHERE |= {
@@ -129,8 +120,8 @@ def make_input(obj, name, on_change, on_error):
         widget = PlaceField(on_change)
     elif kind == "App::PropertyFile":
         widget = _path(obj, name, on_change)
-    elif name in UNITS:
-        widget = QuantityField(UNITS[name], on_change, on_error)
+    elif unit_of(name, getattr(obj, name)):
+        widget = QuantityField(unit_of(name, getattr(obj, name)), on_change, on_error)
     else:
         widget = _quantity(obj, name, on_change, on_error)
     widget.setObjectName(name)
@@ -145,6 +136,7 @@ def make_input(obj, name, on_change, on_error):
         _make_read_only(widget)
     widget.setToolTip(documentation)
     widget.setStatusTip(documentation)
+    widget.setWhatsThis(documentation)
     return widget
 
 
@@ -153,7 +145,7 @@ def show_value(widget, obj, name):
     value = getattr(obj, name)
     blocked = widget.blockSignals(True)
     if isinstance(widget, QtWidgets.QComboBox):
-        widget.setCurrentText(value)
+        widget.setCurrentIndex(widget.findData(value))
     elif isinstance(widget, QtWidgets.QCheckBox):
         widget.setChecked(value)
     elif isinstance(widget, (QtWidgets.QSpinBox, QtWidgets.QDoubleSpinBox)):
@@ -182,7 +174,8 @@ def _choice(obj, name, on_change):
     if name == "Pattern":
         widget.setIconSize(QtCore.QSize(24, 24))
     for choice in choices:
-        widget.addItem(pattern_icon(choice) if name == "Pattern" else QtGui.QIcon(), choice)
+        picture = pattern_icon(choice) if name == "Pattern" else QtGui.QIcon()
+        widget.addItem(picture, translate(choice), choice)
     widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     widget.setMinimumContentsLength(8)
     widget.currentIndexChanged.connect(lambda index: on_change(choices[index]))
@@ -289,18 +282,18 @@ class QuantityField(QtWidgets.QLineEdit):
     def __init__(self, unit, on_change, on_error):
         super().__init__()
         self._unit = unit
-        self._dimension = FreeCAD.Units.Unit(_as_parsed(unit))
+        self._dimension = FreeCAD.Units.Quantity(as_parsed(f"1 {unit}")).Unit
         self._on_change, self._on_error = on_change, on_error
         self.textEdited.connect(self._read)
         self.editingFinished.connect(self._complete)
 
     def show_quantity(self, quantity):
-        self.setText(f"{float(quantity.getValueAs(_as_parsed(self._unit))):.6g} {self._unit}")
+        self.setText(f"{number(amount_in(quantity, self._unit), '.6g')} {self._unit}")
 
     def _quantity(self):
         """What is written, or None if it is no quantity of this kind. A bare number has the unit shown."""
-        text = _as_parsed(self.text().strip())
-        for candidate in (text, f"({text}) {_as_parsed(self._unit)}"):
+        text = as_parsed(self.text().strip())
+        for candidate in (text, f"({text}) {as_parsed(self._unit)}"):
             try:
                 quantity = FreeCAD.Units.Quantity(candidate)
             except (ValueError, ArithmeticError, FreeCAD.Base.FreeCADError):
@@ -320,8 +313,3 @@ class QuantityField(QtWidgets.QLineEdit):
         quantity = self._quantity()
         if quantity is not None:
             self.show_quantity(quantity)
-
-
-def _as_parsed(text):
-    """FreeCAD's parser takes "m²" for "m"."""
-    return text.replace("²", "^2")

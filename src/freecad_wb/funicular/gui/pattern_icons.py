@@ -3,7 +3,8 @@
 
 import funicular as fn
 
-from .qt import QtCore, QtGui, QtWidgets
+from .icons import ink_of_window
+from .qt import QtCore, QtGui
 
 # Drawn larger than it is shown, so that it is sharp on a screen of any density.
 PIXELS, MARGIN = 96, 5
@@ -24,7 +25,7 @@ def pattern_icon(pattern):
     pixmap.fill(QtCore.Qt.transparent)
     painter = QtGui.QPainter(pixmap)
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
-    pen = QtGui.QPen(QtWidgets.QApplication.palette().color(QtGui.QPalette.Text), 3.5)
+    pen = QtGui.QPen(ink_of_window(), 3.5)
     pen.setCapStyle(QtCore.Qt.RoundCap)
     painter.setPen(pen)
     extent = PIXELS - 2 * MARGIN

@@ -6,7 +6,7 @@ from funicular.gui.background import Background
 from funicular.gui.lengths import length_in_words
 from funicular.gui.qt import translate
 from funicular.gui.texts import BUSY, WrappedText
-from funicular.wording import time_text
+from funicular.wording import number, time_text
 
 
 class PriceTag(WrappedText):
@@ -56,5 +56,5 @@ def _price_in_words(scene, accuracy, seconds, is_wanted):
         length_in_words(accuracy), length_in_words(settings.step), time_text(settings.seconds)
     )
     if settings.lines != 1.0:
-        words += translate(", with EA and weight of members times {:.3g}").format(settings.lines)
+        words += translate(", with EA and weight of members times {}").format(number(settings.lines, ".3g"))
     return words

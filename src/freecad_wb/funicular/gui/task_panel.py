@@ -14,6 +14,7 @@ from funicular.gui.drawing.net_drawing import NetDrawing
 from funicular.gui.effect_list import EffectList
 from funicular.gui.icons import icon
 from funicular.gui.inputs import SECTIONS
+from funicular.gui.live.by_keys import explain_all, order_tabs
 from funicular.gui.load_command import where_selected
 from funicular.gui.live.colours_part import ColoursPart
 from funicular.gui.live.hover import Hover
@@ -216,6 +217,8 @@ class GridshellPanel:
         column.addWidget(self.motion)
         for name, title, content in (*self._inputs(), *self._parts()):
             column.addWidget(Section(name, title, content, name not in FOLDED_AT_FIRST))
+        explain_all(form)
+        order_tabs(form)
         return form
 
     def _inputs(self):
@@ -369,6 +372,8 @@ class GridshellPanel:
     def _rested(self):
         """Nothing has come for a while."""
         moment = self.session.moment
+        # Warnings come and go, and their buttons with them.
+        order_tabs(self.form)
         if self._is_to_fit and moment.ended:
             self._is_to_fit = False
             self._view().fitAll()

@@ -16,6 +16,7 @@ class WrappedText(QtWidgets.QLabel):
     LEAST_LINES = 1
 
     def __init__(self, text=""):
+        self._kind = None
         super().__init__(text)
         self.setWordWrap(True)
         self.setTextFormat(QtCore.Qt.PlainText)
@@ -25,9 +26,28 @@ class WrappedText(QtWidgets.QLabel):
 
     def set_colour(self, kind):
         """The colour of GOOD, DOUBTFUL, WRONG or BUSY, as it can be read on this window."""
-        _, on_light, on_dark = kind
-        window = self.palette().color(QtGui.QPalette.Window)
-        self.setStyleSheet(f"color: {on_light if window.lightness() > 127 else on_dark}")
+        self._kind = kind
+        self._colour()
+
+    def _colour(self):
+        if self._kind is None:
+            return
+        _, on_light, on_dark = self._kind
+        # By the ink: a style sheet tells the palette nothing of the paper. The parent's: ours is coloured.
+        ink = (self.parentWidget() or self).palette().color(QtGui.QPalette.WindowText)
+        style = f"color: {on_dark if ink.lightness() > 127 else on_light}"
+        if style != self.styleSheet():
+            self.setStyleSheet(style)
+
+    def showEvent(self, event):
+        super().showEvent(event)
+        # It may have been coloured before it stood anywhere.
+        self._colour()
+
+    def changeEvent(self, event):
+        super().changeEvent(event)
+        if event.type() in (QtCore.QEvent.PaletteChange, QtCore.QEvent.StyleChange):
+            self._colour()
 
     def setText(self, text):
         super().setText(text)

@@ -3,21 +3,23 @@
 
 import FreeCAD
 
-from funicular.gui.qt import QtCore
+from funicular import wording
 from funicular.scale import number_text, si_unit
 
 # FreeCAD's unit, and how many of its own units an SI one is.
 FREECAD = {
     "m": (FreeCAD.Units.Length, 1e3),
-    "N": (FreeCAD.Units.Force, 1e3),
     "Pa": (FreeCAD.Units.Pressure, 1e-3),
 }
-# Names that engineers do not use for forces and stresses; nor base units, where a schema knows no other.
-AWKWARD = ("mN", "Pa", "kPa", "GPa")
+# Names that engineers do not use for stresses; nor base units, where a schema knows no other.
+AWKWARD = ("Pa", "kPa", "GPa")
 
 
 def unit_of(unit, largest):
-    """As scale.si_unit, in the user's unit schema."""
+    """As scale.si_unit, in the user's unit schema; forces in the units that were chosen for them."""
+    if unit == "N":
+        name, size = wording.force_unit(largest)
+        return size, name
     if unit not in FREECAD or not largest > 0.0:
         return si_unit(unit, largest)
     dimension, factor = FREECAD[unit]
@@ -35,10 +37,4 @@ def in_words(value, unit):
 
 def localised(number):
     """A number in figures with the decimal point of the user's language."""
-    return number.replace(".", _point())
-
-
-def _point():
-    point = QtCore.QLocale().decimalPoint()
-    # A character in Qt 5, a text in Qt 6.
-    return point if isinstance(point, str) else chr(point)
+    return number.replace(".", wording.habits().decimal_point)

@@ -8,14 +8,15 @@ from funicular.gui.qt import QT_TRANSLATE_NOOP
 
 LINES, ROUND, RECTANGULAR = "Lines", "Round bars", "Rectangular bars"
 COVERING, AND_COVERING = "Covering", " and covering"
+# Written out, to be found for translation: with its covering each is what it is, and AND_COVERING.
 DISPLAYS = (
-    LINES,
-    ROUND,
-    RECTANGULAR,
-    COVERING,
-    LINES + AND_COVERING,
-    ROUND + AND_COVERING,
-    RECTANGULAR + AND_COVERING,
+    QT_TRANSLATE_NOOP("Funicular", "Lines"),
+    QT_TRANSLATE_NOOP("Funicular", "Round bars"),
+    QT_TRANSLATE_NOOP("Funicular", "Rectangular bars"),
+    QT_TRANSLATE_NOOP("Funicular", "Covering"),
+    QT_TRANSLATE_NOOP("Funicular", "Lines and covering"),
+    QT_TRANSLATE_NOOP("Funicular", "Round bars and covering"),
+    QT_TRANSLATE_NOOP("Funicular", "Rectangular bars and covering"),
 )
 
 LEAST_EXAGGERATION, MOST_EXAGGERATION = 1.0, 20.0

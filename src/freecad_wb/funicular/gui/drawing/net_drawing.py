@@ -14,6 +14,7 @@ from funicular.gui.drawing.surfaces import Covering, Source
 from funicular.gui.drawing.words import Words
 from funicular.gui.qt import QtCore, translate
 from funicular.shadows import toward_sun
+from funicular.wording import number
 
 NAME = "Funicular_drawing"
 SUNLIGHT, SHADE = 0.32, 0.30
@@ -92,7 +93,7 @@ class NetDrawing:
         if self._asked(Ground, look.ground):
             self._show_ground()
         if self._asked(Words, form.exaggeration != 1.0):
-            text = translate("Displacement × {}").format(f"{form.exaggeration:.3g}")
+            text = translate("Displacement × {}").format(number(form.exaggeration, ".3g"))
             self._parts[Words].show(form.drawn_nodes, text)
         if not self._instead:
             self._hide_shape(not left_to_shape, form.exaggeration != 1.0)

@@ -9,6 +9,7 @@ from funicular.gui.drawing.shapes import MILLIMETRES
 from funicular.gui.drawing.standpoint import STANDPOINTS, look_from
 from funicular.gui.inputs import CheckBox, make_input, show_value
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
+from funicular.wording import number
 
 LABELS = {
     "Display": QT_TRANSLATE_NOOP("Funicular", "Display"),
@@ -149,7 +150,7 @@ class LookPart(QtWidgets.QWidget):
         self._said.setVisible(factor != 1.0)
         self._said.setText(
             translate("The way from the source is drawn {} times as long. Figures are the true ones.").format(
-                f"{factor:.3g}"
+                number(factor, ".3g")
             )
         )
 

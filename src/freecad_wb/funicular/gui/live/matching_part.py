@@ -7,6 +7,7 @@ import funicular as fn
 from funicular.gui.background import Background
 from funicular.gui.qt import QtWidgets, translate
 from funicular.gui.texts import WrappedText
+from funicular.wording import number
 
 ROUNDS = 8  # after which little is to be gained; it ends earlier where nothing is
 
@@ -85,8 +86,8 @@ class MatchingPart(QtWidgets.QWidget):
         self._matched = matched.scene
         before, after = matched.deviations[0], matched.deviations[matched.best_round]
         self._text.setText(
-            translate("Lengths differ by {:.2g} % → {:.2g} % (rms), best reached after {} rounds").format(
-                100 * before, 100 * after, matched.best_round
+            translate("Lengths differ by {} % → {} % (rms), best reached after {} rounds").format(
+                number(100 * before, ".2g"), number(100 * after, ".2g"), matched.best_round
             )
         )
         self._session.solve_scene(matched.scene)
@@ -97,8 +98,8 @@ def _deviation_text(moment):
     if result.status != "converged":
         return ""
     apart = result.member_lengths / moment.scene.net.source_lengths - 1.0
-    return translate("Lengths differ from those on the source by {:.2g} % (rms)").format(
-        100 * float(np.sqrt(np.mean(apart**2)))
+    return translate("Lengths differ from those on the source by {} % (rms)").format(
+        number(100 * float(np.sqrt(np.mean(apart**2))), ".2g")
     )
 
 

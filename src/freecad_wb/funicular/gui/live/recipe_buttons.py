@@ -2,6 +2,7 @@
 """Where a gridshell stands by recipe: one click, a picture for each."""
 
 from funicular.features.support import RECIPES
+from funicular.gui.icons import ink_of_window
 from funicular.gui.inputs import expression_of
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
 
@@ -80,7 +81,7 @@ def _icon(recipe):
     pixmap.fill(QtCore.Qt.transparent)
     painter = QtGui.QPainter(pixmap)
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
-    ink = QtWidgets.QApplication.palette().color(QtGui.QPalette.Text)
+    ink = ink_of_window()
     thin, thick = QtGui.QPen(ink, 4.0), QtGui.QPen(ink, 12.0)
     thick.setJoinStyle(QtCore.Qt.MiterJoin)
     dots = QtGui.QPen(ink, 22.0)

@@ -3,9 +3,8 @@
 
 import FreeCAD
 
+from funicular.gui.preferences import GROUP
 from funicular.gui.qt import QtCore, QtWidgets
-
-PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Funicular"
 
 
 class Section(QtWidgets.QWidget):
@@ -42,7 +41,7 @@ class Section(QtWidgets.QWidget):
         self._button.setFont(font)
         column.addWidget(self._button)
         column.addWidget(content)
-        is_open = FreeCAD.ParamGet(PREFERENCES).GetBool(self._key, is_open)
+        is_open = FreeCAD.ParamGet(GROUP).GetBool(self._key, is_open)
         self._button.setChecked(is_open)
         self._fold(is_open)
         self._button.toggled.connect(self._toggled)
@@ -52,7 +51,7 @@ class Section(QtWidgets.QWidget):
         self._button.setChecked(True)
 
     def _toggled(self, is_open):
-        FreeCAD.ParamGet(PREFERENCES).SetBool(self._key, is_open)
+        FreeCAD.ParamGet(GROUP).SetBool(self._key, is_open)
         self._fold(is_open)
 
     def _fold(self, is_open):

@@ -12,11 +12,11 @@ from funicular.features.gridshell import scene_of, solver_options
 from funicular.features.net import net_of
 from funicular.form import form_as_laid, form_of_moment
 from funicular.live import LiveSolve
+from funicular.gui import preferences
 from funicular.gui.drawing.look import exaggeration_of
 from funicular.gui.qt import QtCore
 from funicular.pace import Pace
 
-FRAME_MS = 33
 KEPT_FRAMES = 1000
 
 METRES = 1e-3  # of a millimetre
@@ -57,7 +57,7 @@ class Session(QtCore.QObject):
         self._exaggeration, self._exaggerated = 1.0, None
         self._changed = self._stopped = False
         self._timer = QtCore.QTimer(self)
-        self._timer.setInterval(FRAME_MS)
+        self._timer.setInterval(preferences.frame_ms())
         self._timer.timeout.connect(self._frame)
 
     @property
@@ -196,7 +196,7 @@ class Session(QtCore.QObject):
         if self._goal is not None:
             target = self._goal.nodes
             if len(target) == len(self._pace.nodes):
-                arrived = self._pace.toward(target, time.monotonic(), not is_running)
+                arrived = self._show_on_the_way(target, not is_running)
                 self.own_form = replace(self._goal, nodes=self._pace.nodes)
                 self._exaggeration = exaggeration_of(self.shell.ViewObject)
                 if self._other is None:
@@ -205,6 +205,14 @@ class Session(QtCore.QObject):
             self._timer.stop()
             self.rested.emit()
         self.frame_seconds.append(time.thread_time() - begun)
+
+    def _show_on_the_way(self, target, is_final):
+        """Whether what is shown is the target (n, 3) [m]."""
+        now = time.monotonic()
+        if preferences.animates():
+            return self._pace.toward(target, now, is_final)
+        self._pace.restart(target, now)
+        return is_final
 
     def _look(self):
         moment = self._live.latest

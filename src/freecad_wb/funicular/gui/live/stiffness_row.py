@@ -5,8 +5,10 @@ import math
 
 import FreeCAD
 
+from funicular.gui import preferences
 from funicular.gui.inputs import QuantityField
 from funicular.gui.qt import QtCore, QtWidgets, translate
+from funicular.wording import number
 
 STEPS = 200
 RIGID, NONE = math.inf, 0.0
@@ -15,12 +17,10 @@ MOST = 1e4
 PER_MM = 1e3  # [1/m]
 DIGITS = 3
 
-IMPERIAL = (2, 3, 5, 7)  # FreeCAD's unit schemas with inches
-
 
 def unit():
     """The unit in which the user reads stiffnesses; FreeCAD's schemas have none."""
-    return "lbf/in" if FreeCAD.Units.getSchema() in IMPERIAL else "kN/mm"
+    return "lbf/in" if preferences.is_imperial() else "kN/mm"
 
 
 def stiffness_in_words(stiffness):
@@ -29,7 +29,7 @@ def stiffness_in_words(stiffness):
         return translate("rigid")
     if stiffness == NONE:
         return translate("free")
-    return f"{_amount(stiffness):.{DIGITS}g} {unit()}"
+    return f"{number(_amount(stiffness), f'.{DIGITS}g')} {unit()}"
 
 
 def _amount(stiffness):

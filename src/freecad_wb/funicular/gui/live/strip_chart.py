@@ -55,7 +55,7 @@ class StripChart(QtWidgets.QWidget):
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
         ink = self.palette().color(QtGui.QPalette.WindowText)
         faint = QtGui.QColor(ink)
-        faint.setAlpha(90)
+        faint.setAlpha(150)
         painter.setPen(QtGui.QPen(faint, 1.0))
         level = self._height_of(0.0)
         painter.drawLine(QtCore.QPointF(LEFT, level), QtCore.QPointF(self.width() - RIGHT, level))

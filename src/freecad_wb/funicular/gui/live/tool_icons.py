@@ -2,7 +2,8 @@
 """Pictures of the tools with which nodes are picked, in the colours of the user's theme."""
 
 from funicular.gui.drawing.mark_shapes import COLOURS, DOT
-from funicular.gui.qt import QtCore, QtGui, QtWidgets
+from funicular.gui.icons import ink_of_window
+from funicular.gui.qt import QtCore, QtGui
 
 PIXELS = 96
 POINTER = ((30, 14), (30, 74), (45, 60), (54, 82), (64, 78), (55, 57), (74, 56))
@@ -14,7 +15,7 @@ def tool_icon(tool):
     pixmap.fill(QtCore.Qt.transparent)
     painter = QtGui.QPainter(pixmap)
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
-    ink = QtWidgets.QApplication.palette().color(QtGui.QPalette.Text)
+    ink = ink_of_window()
     accent = QtGui.QColor(COLOURS[DOT])
     dashed = QtGui.QPen(ink, 6.0)
     dashed.setDashPattern((2.0, 1.4))
