@@ -10,7 +10,7 @@
         </message>
         <message>
             <source>(u, v) of the face between 0 and 1 (z is not used): the node nearest to each</source>
-            <translation>(u, v) der Fläche zwischen 0 und 1 (z zählt nicht): der jeweils nächste Knoten</translation>
+            <translation type="vanished">(u, v) der Fläche zwischen 0 und 1 (z zählt nicht): der jeweils nächste Knoten</translation>
         </message>
         <message>
             <source>(u, v) of the face, between 0 and 1, that a net of equal lengths grows from</source>
@@ -94,7 +94,7 @@
         </message>
         <message>
             <source>Edges and vertices of the net's source, such as Edge3 or Vertex1: every node on them</source>
-            <translation>Kanten und Eckpunkte der Quelle des Netzes, etwa Edge3 oder Vertex1: jeder Knoten darauf</translation>
+            <translation type="vanished">Kanten und Eckpunkte der Quelle des Netzes, etwa Edge3 oder Vertex1: jeder Knoten darauf</translation>
         </message>
         <message>
             <source>Edges and vertices of the source that hold nodes</source>
@@ -106,11 +106,15 @@
         </message>
         <message>
             <source>Force for each length that the support yields; 0 for one that does not</source>
-            <translation>Kraft je Länge, um die das Auflager nachgibt; 0 für eines, das nicht nachgibt</translation>
+            <translation type="vanished">Kraft je Länge, um die das Auflager nachgibt; 0 für eines, das nicht nachgibt</translation>
         </message>
         <message>
             <source>Force in each member [N], compression negative</source>
             <translation>Kraft in jedem Stab [N], Druck negativ</translation>
+        </message>
+        <message>
+            <source>Forces on single nodes, besides all weights</source>
+            <translation>Kräfte auf einzelne Knoten, neben allen Gewichten</translation>
         </message>
         <message>
             <source>Give up after this time; 0 for never</source>
@@ -158,7 +162,7 @@
         </message>
         <message>
             <source>How nodes are held; Free takes them from the other supports</source>
-            <translation>Wie Knoten gehalten werden; Free nimmt sie den anderen Auflagern</translation>
+            <translation type="vanished">Wie Knoten gehalten werden; Free nimmt sie den anderen Auflagern</translation>
         </message>
         <message>
             <source>How the last recompute ended: converged; failed; or the limit that the solver met</source>
@@ -222,7 +226,7 @@
         </message>
         <message>
             <source>Normal of the plane, or direction of the line</source>
-            <translation>Normale der Ebene oder Richtung der Linie</translation>
+            <translation type="vanished">Normale der Ebene oder Richtung der Linie</translation>
         </message>
         <message>
             <source>Number of cells along u</source>
@@ -250,7 +254,7 @@
         </message>
         <message>
             <source>Numbers of nodes before edits, for a net that keeps them</source>
-            <translation>Nummern von Knoten vor Änderungen, für ein Netz, das sie behält</translation>
+            <translation type="vanished">Nummern von Knoten vor Änderungen, für ein Netz, das sie behält</translation>
         </message>
         <message>
             <source>Numbers of nodes, for nets that keep them</source>
@@ -346,7 +350,7 @@
         </message>
         <message>
             <source>Take its nodes from the supports before it in the gridshell's list, instead of adding to them</source>
-            <translation>Seine Knoten den Auflagern nehmen, die in der Liste der Gitterschale vor ihm stehen, statt zu ihnen hinzuzukommen</translation>
+            <translation type="vanished">Seine Knoten den Auflagern nehmen, die in der Liste der Gitterschale vor ihm stehen, statt zu ihnen hinzuzukommen</translation>
         </message>
         <message>
             <source>The face or faces that the net lies on</source>
@@ -374,7 +378,7 @@
         </message>
         <message>
             <source>The net whose nodes are held</source>
-            <translation>Das Netz, dessen Knoten gehalten werden</translation>
+            <translation type="vanished">Das Netz, dessen Knoten gehalten werden</translation>
         </message>
         <message>
             <source>The nodes around each panel: of each panel how many, then their numbers</source>
@@ -446,7 +450,7 @@
         </message>
         <message>
             <source>What the elements were when they were picked</source>
-            <translation>Was die Elemente waren, als sie gewählt wurden</translation>
+            <translation type="vanished">Was die Elemente waren, als sie gewählt wurden</translation>
         </message>
         <message>
             <source>What the face belonged to when it was picked</source>
@@ -458,7 +462,7 @@
         </message>
         <message>
             <source>What was found</source>
-            <translation>Was gefunden wurde</translation>
+            <translation type="vanished">Was gefunden wurde</translation>
         </message>
         <message>
             <source>What was kept of this gridshell under a name, see funicular.features.variants</source>
@@ -490,7 +494,7 @@
         </message>
         <message>
             <source>Which nodes are held</source>
-            <translation>Welche Knoten gehalten werden</translation>
+            <translation type="vanished">Welche Knoten gehalten werden</translation>
         </message>
         <message>
             <source>Young's modulus of the members, for their buckling between nodes; 0 for unknown</source>
@@ -518,6 +522,10 @@
         <message>
             <source>Accuracy</source>
             <translation>Genauigkeit</translation>
+        </message>
+        <message>
+            <source>Add load on picked nodes</source>
+            <translation>Last auf gewählte Knoten</translation>
         </message>
         <message>
             <source>Allow tension</source>
@@ -705,7 +713,7 @@
         </message>
         <message>
             <source>Edges and vertices</source>
-            <translation>Kanten und Eckpunkte</translation>
+            <translation type="vanished">Kanten und Eckpunkte</translation>
         </message>
         <message>
             <source>Edit gridshell</source>
@@ -1064,6 +1072,10 @@
             <translation>Newton</translation>
         </message>
         <message>
+            <source>No place for the load is selected: select nodes of the gridshell, or edges and vertices of its source, in the 3D view.</source>
+            <translation>Für die Last ist kein Ort ausgewählt: Knoten der Gitterschale oder Kanten und Punkte ihrer Quelle in der 3D-Ansicht auswählen.</translation>
+        </message>
+        <message>
             <source>No tool (Esc): a click on a mark chooses its support in the list</source>
             <translation>Kein Werkzeug (Esc): ein Klick auf ein Zeichen wählt sein Auflager in der Liste</translation>
         </message>
@@ -1097,19 +1109,19 @@
         </message>
         <message>
             <source>On a line</source>
-            <translation>Auf einer Linie</translation>
+            <translation type="vanished">Auf einer Linie</translation>
         </message>
         <message>
             <source>On a plane</source>
-            <translation>Auf einer Ebene</translation>
+            <translation type="vanished">Auf einer Ebene</translation>
         </message>
         <message>
             <source>On its vertical line</source>
-            <translation>Auf ihrer lotrechten Linie</translation>
+            <translation type="vanished">Auf ihrer lotrechten Linie</translation>
         </message>
         <message>
             <source>On its vertical plane</source>
-            <translation>Auf ihrer lotrechten Ebene</translation>
+            <translation type="vanished">Auf ihrer lotrechten Ebene</translation>
         </message>
         <message>
             <source>One iteration of the solver more, then a pause</source>
@@ -1180,8 +1192,16 @@
             <translation>Ebene quer zu</translation>
         </message>
         <message>
+            <source>Point load</source>
+            <translation>Einzellast</translation>
+        </message>
+        <message>
+            <source>Point loads</source>
+            <translation>Einzellasten</translation>
+        </message>
+        <message>
             <source>Points</source>
-            <translation>Punkte</translation>
+            <translation type="vanished">Punkte</translation>
         </message>
         <message>
             <source>Properties to change: {}.</source>
@@ -1190,6 +1210,10 @@
         <message>
             <source>Pure</source>
             <translation>Rein</translation>
+        </message>
+        <message>
+            <source>Put 1 kN on each of the nodes that are picked, or on those of the edges and vertices of the source that are selected in FreeCAD</source>
+            <translation>1 kN auf jeden gewählten Knoten setzen, oder auf die Knoten der in FreeCAD ausgewählten Kanten und Punkte der Quelle</translation>
         </message>
         <message>
             <source>Quad</source>
@@ -1242,6 +1266,10 @@
         <message>
             <source>Relaxation</source>
             <translation>Relaxation</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Entfernen</translation>
         </message>
         <message>
             <source>Reset</source>
@@ -1424,6 +1452,10 @@
             <translation>Herausnehmen</translation>
         </message>
         <message>
+            <source>Take {} away</source>
+            <translation>{} wegnehmen</translation>
+        </message>
+        <message>
             <source>Ten times as stiff</source>
             <translation>Zehnmal so steif</translation>
         </message>
@@ -1576,6 +1608,10 @@
             <translation>Das Gewählte ist gekrümmt und hat keine eine Richtung: eine gerade Kante oder ebene Fläche wählen.</translation>
         </message>
         <message>
+            <source>Where the force points to</source>
+            <translation>Wohin die Kraft zeigt</translation>
+        </message>
+        <message>
             <source>Whether it stands in compression only</source>
             <translation>Ob sie nur unter Druck steht</translation>
         </message>
@@ -1610,6 +1646,22 @@
         <message>
             <source>accuracy now: {}</source>
             <translation>Genauigkeit jetzt: {}</translation>
+        </message>
+        <message>
+            <source>against x</source>
+            <translation>gegen x</translation>
+        </message>
+        <message>
+            <source>against y</source>
+            <translation>gegen y</translation>
+        </message>
+        <message>
+            <source>along x</source>
+            <translation>in x</translation>
+        </message>
+        <message>
+            <source>along y</source>
+            <translation>in y</translation>
         </message>
         <message>
             <source>asked for: {}</source>
@@ -1658,6 +1710,10 @@
         <message>
             <source>distance from equilibrium</source>
             <translation>Abstand vom Gleichgewicht</translation>
+        </message>
+        <message>
+            <source>down</source>
+            <translation>abwärts</translation>
         </message>
         <message>
             <source>fixed</source>
@@ -1774,6 +1830,10 @@
         <message>
             <source>too much (own scale)</source>
             <translation>zu viel (eigener Maßstab)</translation>
+        </message>
+        <message>
+            <source>up</source>
+            <translation>aufwärts</translation>
         </message>
         <message>
             <source>x</source>
@@ -1902,6 +1962,14 @@
         <message>
             <source>{}, {} iterations</source>
             <translation>{}, {} Iterationen</translation>
+        </message>
+        <message>
+            <source>{}, {} node</source>
+            <translation>{}, {} Knoten</translation>
+        </message>
+        <message>
+            <source>{}, {} nodes</source>
+            <translation>{}, {} Knoten</translation>
         </message>
         <message>
             <source>{}. Chosen: the gridshell was solved again in {}.</source>
@@ -2063,6 +2131,23 @@ Eine Fläche in der 3D-Ansicht wählen, mehrere eines Körpers, oder ein Netz im
         <message>
             <source>Two pages with pictures: from a face to a gridshell and out.</source>
             <translation>Zwei Seiten mit Bildern: von der Fläche zur Gitterschale und hinaus.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Funicular_PointLoad</name>
+        <message>
+            <source>Point load</source>
+            <translation>Einzellast</translation>
+        </message>
+        <message>
+            <source>Put a load of 1 kN on each of the selected nodes.
+Select a Gridshell, and with it nodes of its own, or edges and vertices of its source.</source>
+            <translation>Eine Last von 1 kN auf jeden ausgewählten Knoten setzen.
+Eine Gitterschale auswählen und dazu eigene Knoten oder Kanten und Punkte ihrer Quelle.</translation>
+        </message>
+        <message>
+            <source>The load is an object of its own below the Gridshell, with Force and Direction as properties, and keeps its place on the face, whatever the step. The shell is relaxed with it.</source>
+            <translation>Die Last ist ein eigenes Objekt unter der Gitterschale, mit Kraft und Richtung als Eigenschaften, und behält ihren Ort auf der Fläche, wie groß die Schrittweite auch ist. Die Schale wird mit ihr gefunden.</translation>
         </message>
     </context>
     <context>

@@ -10,7 +10,7 @@
         </message>
         <message>
             <source>(u, v) of the face between 0 and 1 (z is not used): the node nearest to each</source>
-            <translation>(u, v) della faccia tra 0 e 1 (z non conta): il nodo più vicino a ciascuno</translation>
+            <translation type="vanished">(u, v) della faccia tra 0 e 1 (z non conta): il nodo più vicino a ciascuno</translation>
         </message>
         <message>
             <source>(u, v) of the face, between 0 and 1, that a net of equal lengths grows from</source>
@@ -94,7 +94,7 @@
         </message>
         <message>
             <source>Edges and vertices of the net's source, such as Edge3 or Vertex1: every node on them</source>
-            <translation>Spigoli e vertici della sorgente del reticolo, come Edge3 o Vertex1: ogni nodo su di essi</translation>
+            <translation type="vanished">Spigoli e vertici della sorgente del reticolo, come Edge3 o Vertex1: ogni nodo su di essi</translation>
         </message>
         <message>
             <source>Edges and vertices of the source that hold nodes</source>
@@ -106,11 +106,15 @@
         </message>
         <message>
             <source>Force for each length that the support yields; 0 for one that does not</source>
-            <translation>Forza per ogni lunghezza di cui il vincolo cede; 0 per uno che non cede</translation>
+            <translation type="vanished">Forza per ogni lunghezza di cui il vincolo cede; 0 per uno che non cede</translation>
         </message>
         <message>
             <source>Force in each member [N], compression negative</source>
             <translation>Forza in ogni asta [N], compressione negativa</translation>
+        </message>
+        <message>
+            <source>Forces on single nodes, besides all weights</source>
+            <translation>Forze su singoli nodi, oltre a tutti i pesi</translation>
         </message>
         <message>
             <source>Give up after this time; 0 for never</source>
@@ -158,7 +162,7 @@
         </message>
         <message>
             <source>How nodes are held; Free takes them from the other supports</source>
-            <translation>Come sono tenuti i nodi; Free li toglie agli altri vincoli</translation>
+            <translation type="vanished">Come sono tenuti i nodi; Free li toglie agli altri vincoli</translation>
         </message>
         <message>
             <source>How the last recompute ended: converged; failed; or the limit that the solver met</source>
@@ -222,7 +226,7 @@
         </message>
         <message>
             <source>Normal of the plane, or direction of the line</source>
-            <translation>Normale del piano, o direzione della linea</translation>
+            <translation type="vanished">Normale del piano, o direzione della linea</translation>
         </message>
         <message>
             <source>Number of cells along u</source>
@@ -250,7 +254,7 @@
         </message>
         <message>
             <source>Numbers of nodes before edits, for a net that keeps them</source>
-            <translation>Numeri di nodi prima delle modifiche, per un reticolo che li conserva</translation>
+            <translation type="vanished">Numeri di nodi prima delle modifiche, per un reticolo che li conserva</translation>
         </message>
         <message>
             <source>Numbers of nodes, for nets that keep them</source>
@@ -346,7 +350,7 @@
         </message>
         <message>
             <source>Take its nodes from the supports before it in the gridshell's list, instead of adding to them</source>
-            <translation>Togliere i suoi nodi ai vincoli che lo precedono nella lista della gridshell, invece di aggiungersi</translation>
+            <translation type="vanished">Togliere i suoi nodi ai vincoli che lo precedono nella lista della gridshell, invece di aggiungersi</translation>
         </message>
         <message>
             <source>The face or faces that the net lies on</source>
@@ -374,7 +378,7 @@
         </message>
         <message>
             <source>The net whose nodes are held</source>
-            <translation>Il reticolo di cui sono tenuti i nodi</translation>
+            <translation type="vanished">Il reticolo di cui sono tenuti i nodi</translation>
         </message>
         <message>
             <source>The nodes around each panel: of each panel how many, then their numbers</source>
@@ -446,7 +450,7 @@
         </message>
         <message>
             <source>What the elements were when they were picked</source>
-            <translation>Che cosa erano gli elementi quando furono scelti</translation>
+            <translation type="vanished">Che cosa erano gli elementi quando furono scelti</translation>
         </message>
         <message>
             <source>What the face belonged to when it was picked</source>
@@ -458,7 +462,7 @@
         </message>
         <message>
             <source>What was found</source>
-            <translation>Che cosa è stato trovato</translation>
+            <translation type="vanished">Che cosa è stato trovato</translation>
         </message>
         <message>
             <source>What was kept of this gridshell under a name, see funicular.features.variants</source>
@@ -490,7 +494,7 @@
         </message>
         <message>
             <source>Which nodes are held</source>
-            <translation>Quali nodi sono tenuti</translation>
+            <translation type="vanished">Quali nodi sono tenuti</translation>
         </message>
         <message>
             <source>Young's modulus of the members, for their buckling between nodes; 0 for unknown</source>
@@ -518,6 +522,10 @@
         <message>
             <source>Accuracy</source>
             <translation>Precisione</translation>
+        </message>
+        <message>
+            <source>Add load on picked nodes</source>
+            <translation>Carico sui nodi scelti</translation>
         </message>
         <message>
             <source>Allow tension</source>
@@ -705,7 +713,7 @@
         </message>
         <message>
             <source>Edges and vertices</source>
-            <translation>Spigoli e vertici</translation>
+            <translation type="vanished">Spigoli e vertici</translation>
         </message>
         <message>
             <source>Edit gridshell</source>
@@ -1064,6 +1072,10 @@
             <translation>Newton</translation>
         </message>
         <message>
+            <source>No place for the load is selected: select nodes of the gridshell, or edges and vertices of its source, in the 3D view.</source>
+            <translation>Nessun punto scelto per il carico: selezionare nodi del reticolo, o bordi e vertici della sua sorgente, nella vista 3D.</translation>
+        </message>
+        <message>
             <source>No tool (Esc): a click on a mark chooses its support in the list</source>
             <translation>Nessuno strumento (Esc): un clic su un segno sceglie il suo vincolo nella lista</translation>
         </message>
@@ -1097,19 +1109,19 @@
         </message>
         <message>
             <source>On a line</source>
-            <translation>Su una linea</translation>
+            <translation type="vanished">Su una linea</translation>
         </message>
         <message>
             <source>On a plane</source>
-            <translation>Su un piano</translation>
+            <translation type="vanished">Su un piano</translation>
         </message>
         <message>
             <source>On its vertical line</source>
-            <translation>Sulla sua linea verticale</translation>
+            <translation type="vanished">Sulla sua linea verticale</translation>
         </message>
         <message>
             <source>On its vertical plane</source>
-            <translation>Sul suo piano verticale</translation>
+            <translation type="vanished">Sul suo piano verticale</translation>
         </message>
         <message>
             <source>One iteration of the solver more, then a pause</source>
@@ -1180,8 +1192,16 @@
             <translation>Piano normale a</translation>
         </message>
         <message>
+            <source>Point load</source>
+            <translation>Carico concentrato</translation>
+        </message>
+        <message>
+            <source>Point loads</source>
+            <translation>Carichi concentrati</translation>
+        </message>
+        <message>
             <source>Points</source>
-            <translation>Punti</translation>
+            <translation type="vanished">Punti</translation>
         </message>
         <message>
             <source>Properties to change: {}.</source>
@@ -1190,6 +1210,10 @@
         <message>
             <source>Pure</source>
             <translation>Pura</translation>
+        </message>
+        <message>
+            <source>Put 1 kN on each of the nodes that are picked, or on those of the edges and vertices of the source that are selected in FreeCAD</source>
+            <translation>Mettere 1 kN su ciascuno dei nodi scelti, o su quelli dei bordi e vertici della sorgente selezionati in FreeCAD</translation>
         </message>
         <message>
             <source>Quad</source>
@@ -1242,6 +1266,10 @@
         <message>
             <source>Relaxation</source>
             <translation>Rilassamento</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Rimuovi</translation>
         </message>
         <message>
             <source>Reset</source>
@@ -1424,6 +1452,10 @@
             <translation>Togli</translation>
         </message>
         <message>
+            <source>Take {} away</source>
+            <translation>Togliere {}</translation>
+        </message>
+        <message>
             <source>Ten times as stiff</source>
             <translation>Dieci volte più rigide</translation>
         </message>
@@ -1576,6 +1608,10 @@
             <translation>Ciò che è scelto è curvo e non ha una sola direzione: scegliere uno spigolo retto o una faccia piana.</translation>
         </message>
         <message>
+            <source>Where the force points to</source>
+            <translation>Dove punta la forza</translation>
+        </message>
+        <message>
             <source>Whether it stands in compression only</source>
             <translation>Se sta in sola compressione</translation>
         </message>
@@ -1610,6 +1646,22 @@
         <message>
             <source>accuracy now: {}</source>
             <translation>precisione attuale: {}</translation>
+        </message>
+        <message>
+            <source>against x</source>
+            <translation>contro x</translation>
+        </message>
+        <message>
+            <source>against y</source>
+            <translation>contro y</translation>
+        </message>
+        <message>
+            <source>along x</source>
+            <translation>lungo x</translation>
+        </message>
+        <message>
+            <source>along y</source>
+            <translation>lungo y</translation>
         </message>
         <message>
             <source>asked for: {}</source>
@@ -1658,6 +1710,10 @@
         <message>
             <source>distance from equilibrium</source>
             <translation>distanza dall'equilibrio</translation>
+        </message>
+        <message>
+            <source>down</source>
+            <translation>in basso</translation>
         </message>
         <message>
             <source>fixed</source>
@@ -1774,6 +1830,10 @@
         <message>
             <source>too much (own scale)</source>
             <translation>troppo (scala propria)</translation>
+        </message>
+        <message>
+            <source>up</source>
+            <translation>in alto</translation>
         </message>
         <message>
             <source>x</source>
@@ -1902,6 +1962,14 @@
         <message>
             <source>{}, {} iterations</source>
             <translation>{}, {} iterazioni</translation>
+        </message>
+        <message>
+            <source>{}, {} node</source>
+            <translation>{}, {} nodo</translation>
+        </message>
+        <message>
+            <source>{}, {} nodes</source>
+            <translation>{}, {} nodi</translation>
         </message>
         <message>
             <source>{}. Chosen: the gridshell was solved again in {}.</source>
@@ -2063,6 +2131,23 @@ Scegliere una faccia nella vista 3D, più facce di un corpo, o un reticolo nell'
         <message>
             <source>Two pages with pictures: from a face to a gridshell and out.</source>
             <translation>Due pagine con immagini: dalla faccia alla gridshell, e oltre.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Funicular_PointLoad</name>
+        <message>
+            <source>Point load</source>
+            <translation>Carico concentrato</translation>
+        </message>
+        <message>
+            <source>Put a load of 1 kN on each of the selected nodes.
+Select a Gridshell, and with it nodes of its own, or edges and vertices of its source.</source>
+            <translation>Mettere un carico di 1 kN su ciascuno dei nodi selezionati.
+Selezionare un reticolo e con esso suoi nodi, o bordi e vertici della sua sorgente.</translation>
+        </message>
+        <message>
+            <source>The load is an object of its own below the Gridshell, with Force and Direction as properties, and keeps its place on the face, whatever the step. The shell is relaxed with it.</source>
+            <translation>Il carico è un oggetto a sé sotto il reticolo, con Force e Direction come proprietà, e mantiene il suo posto sulla faccia, qualunque sia il passo. La forma viene trovata con esso.</translation>
         </message>
     </context>
     <context>
