@@ -62,7 +62,7 @@ class SupportList(QtWidgets.QTreeWidget):
         for column in (1, 2):
             header.setSectionResizeMode(column, QtWidgets.QHeaderView.ResizeToContents)
         rows = SHOWN_ROWS * (self.fontMetrics().height() + 5)
-        self.setMinimumHeight(rows + header.sizeHint().height())
+        self.setFixedHeight(rows + header.sizeHint().height())
         self.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Minimum)
         self.itemSelectionChanged.connect(self.chosen)
 

@@ -69,7 +69,9 @@ KIND_BUTTONS = (
         QT_TRANSLATE_NOOP("Funicular", "Hold it nowhere, whatever the recipe or other supports say"),
     ),
 )
-COLUMNS, SHOWN = 3, 22
+# Two, for a panel of the width that FreeCAD gives it.
+COLUMNS, SHOWN = 2, 22
+NARROW = 40  # [px], to which a button with a short word may shrink
 
 
 class SupportsForm(QtWidgets.QWidget):
@@ -129,6 +131,7 @@ class SupportsForm(QtWidgets.QWidget):
         row.addStretch(1)
         self._clear_button = QtWidgets.QPushButton(translate("Clear"))
         self._clear_button.setObjectName("ClearPicks")
+        self._clear_button.setMinimumWidth(NARROW)
         self._clear_button.setToolTip(translate("Pick nothing"))
         self._clear_button.clicked.connect(lambda: self.clear_picks())
         row.addWidget(self._clear_button)
@@ -189,6 +192,7 @@ class SupportsForm(QtWidgets.QWidget):
             button.setObjectName(f"Support{name}")
             button.setToolTip(what)
             button.clicked.connect(lambda _=False, do=do: do())
+            button.setMinimumWidth(NARROW)
             row.addWidget(button)
             setattr(self, f"_{name.lower()}_button", button)
         return row
