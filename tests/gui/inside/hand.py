@@ -15,13 +15,12 @@ def panel():
 
 
 def viewport():
-    """The widget of the one 3D view; not by the view's own graphicsView(), which PySide would keep."""
-    (found,) = [
+    """The widget of the 3D view in front; not by the view's own graphicsView(), which PySide would keep."""
+    return next(
         widget
         for widget in QtWidgets.QApplication.allWidgets()
-        if widget.inherits("QOpenGLWidget") and widget.isVisible()
-    ]
-    return found
+        if widget.inherits("QOpenGLWidget") and widget.isVisible() and not widget.visibleRegion().isEmpty()
+    )
 
 
 def places(points):
@@ -33,7 +32,7 @@ def places(points):
 
 def place_of(node):
     """Where a node of the form that is shown is in the viewport."""
-    return places(panel().session.form.nodes[[node]] * 1e3)[0]
+    return places(panel().session.form.drawn_nodes[[node]] * 1e3)[0]
 
 
 def mouse(kind, place, button=NONE, buttons=NONE, modifiers=QtCore.Qt.NoModifier):

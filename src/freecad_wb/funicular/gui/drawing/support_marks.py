@@ -77,7 +77,7 @@ class SupportMarks:
         are_small: for they stand close on the screen. only: nothing but one of RING, HOVER, DOT.
         """
         some = form.members[:: max(1, len(form.members) // 500)]
-        ends = form.nodes[some[:, 1]] - form.nodes[some[:, 0]]
+        ends = form.drawn_nodes[some[:, 1]] - form.drawn_nodes[some[:, 0]]
         size = float(np.median(np.linalg.norm(ends, axis=1))) if len(ends) else 0.0
         for each in self._marks.values() if only is None else [self._marks[only]]:
             each.show(form, size, are_small)
@@ -150,11 +150,11 @@ class _Marks:
             return
         points, counts = [], []
         for of_these, around in self._polylines:
-            points.append((form.nodes[of_these][:, None, :] + size * around).reshape(-1, 3))
+            points.append((form.drawn_nodes[of_these][:, None, :] + size * around).reshape(-1, 3))
             counts += [around.shape[1]] * len(of_these)
         _set(self._line_points, _millimetres(np.concatenate(points)) if points else [])
         _set(self._counts, counts)
-        _set(self._points, _millimetres(form.nodes[nodes]))
+        _set(self._points, _millimetres(form.drawn_nodes[nodes]))
         self._number(len(nodes), is_small)
 
     def _number(self, count, is_small):

@@ -29,6 +29,7 @@ class Keys(QtCore.QObject):
     def stop(self):
         """Listen no more."""
         QtWidgets.QApplication.instance().removeEventFilter(self)
+        self.deleteLater()
 
     def eventFilter(self, watched, event):
         if event.type() not in KEYS or not _is_in_window(watched):

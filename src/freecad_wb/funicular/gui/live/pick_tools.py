@@ -53,6 +53,8 @@ class PickTools(QtCore.QObject):
     def leave(self):
         self._end_drag()
         self.outline.remove()
+        # With it go its connections, which hold whoever listens.
+        self.deleteLater()
 
     # What the pointer asks
 
@@ -60,7 +62,7 @@ class PickTools(QtCore.QObject):
         if self._drag is not None:
             self._drag.to(at)
             return True
-        if not at.buttons and self._session.form is not None:
+        if not at.buttons and self._session.form is not None and self._session.net is not None:
             self.hovered.emit(self._under(at), at)
         return False
 
@@ -68,7 +70,7 @@ class PickTools(QtCore.QObject):
         # With another button held it is FreeCAD's own way to turn the view.
         if at.button != QtCore.Qt.LeftButton or at.buttons != QtCore.Qt.LeftButton:
             return False
-        if self._session.form is None:
+        if self._session.form is None or self._session.net is None:
             return False
         under = self._under(at)
         self.hovered.emit([], None)
@@ -100,7 +102,7 @@ class PickTools(QtCore.QObject):
     # What is where
 
     def _points(self):
-        return self._session.form.nodes * MILLIMETRES
+        return self._session.form.drawn_nodes * MILLIMETRES
 
     def _under(self, at):
         """The nodes that the mouse is on, as the tool counts them."""
@@ -159,8 +161,9 @@ class PickTools(QtCore.QObject):
         ends = form.members[(form.members == node).any(axis=1)]
         others = ends[ends != node]
         sign = "+" if height >= 0.0 else "−"
-        words = translate("{}, at {}").format(sign + _length(abs(height)), _length(base[2] + height))
-        self._raise.show(base, height, form.nodes[others] * MILLIMETRES, words)
+        now = form.nodes[node, 2] * MILLIMETRES
+        words = translate("{}, at {}").format(sign + _length(abs(height)), _length(now + height))
+        self._raise.show(base, height, form.drawn_nodes[others] * MILLIMETRES, words)
 
 
 class _Click:
@@ -212,7 +215,7 @@ class _Raise:
     def __init__(self, tools, at, node):
         self._tools, self._node, self._height = tools, node, 0.0
         form = tools._session.form
-        self._base = form.nodes[node] * MILLIMETRES
+        self._base = form.drawn_nodes[node] * MILLIMETRES
         self._finest = FINEST_HEIGHT * MILLIMETRES * float(np.median(form.member_lengths))
         self._begun = at.screen().height_at(self._base, at.place)
         self.to(at)

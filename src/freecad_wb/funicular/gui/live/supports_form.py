@@ -101,7 +101,7 @@ class SupportsForm(QtWidgets.QWidget):
         column.addLayout(self._step_row())
 
     def show_tool(self, tool):
-        self._tools[tool].setChecked(True)
+        self._tool_buttons[tool].setChecked(True)
 
     def show_steps(self, steps):
         self._undo_button.setEnabled(steps.can_undo)
@@ -109,7 +109,7 @@ class SupportsForm(QtWidgets.QWidget):
 
     def enable_changes(self, is_chosen, is_picked):
         """Whether there is something to be held in another way, or let go."""
-        for button in self._kinds:
+        for button in self._kind_buttons:
             button.setEnabled(is_chosen or is_picked)
         self._lift_button.setEnabled(is_chosen or is_picked)
         self._clear_button.setEnabled(is_picked)
@@ -118,7 +118,7 @@ class SupportsForm(QtWidgets.QWidget):
         row = QtWidgets.QHBoxLayout()
         row.setSpacing(2)
         group = QtWidgets.QButtonGroup(self)
-        self._tools = {}
+        self._tool_buttons = {}
         for tool, words in TOOLS:
             button = _tool_button(f"Tool{tool}", translate(words))
             image = QtGui.QIcon(icon("Funicular_Raise")) if tool == pick_tools.RAISE else tool_icon(tool)
@@ -127,7 +127,7 @@ class SupportsForm(QtWidgets.QWidget):
             button.clicked.connect(lambda _=False, tool=tool: self.use_tool(tool))
             group.addButton(button)
             row.addWidget(button)
-            self._tools[tool] = button
+            self._tool_buttons[tool] = button
         row.addStretch(1)
         self._clear_button = QtWidgets.QPushButton(translate("Clear"))
         self._clear_button.setObjectName("ClearPicks")
@@ -141,7 +141,7 @@ class SupportsForm(QtWidgets.QWidget):
     def _kind_grid(self):
         grid = QtWidgets.QGridLayout()
         grid.setSpacing(2)
-        self._kinds = []
+        self._kind_buttons = []
         for number, (kind, words, what) in enumerate(KIND_BUTTONS):
             button = _tool_button("Hold" + words.title().replace(" ", ""), translate(what))
             button.setText(translate(words))
@@ -152,7 +152,7 @@ class SupportsForm(QtWidgets.QWidget):
             button.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
             button.clicked.connect(lambda _=False, kind=kind: self.hold(kind))
             grid.addWidget(button, number // COLUMNS, number % COLUMNS)
-            self._kinds.append(button)
+            self._kind_buttons.append(button)
         self.direction = QtWidgets.QComboBox()
         self.direction.setObjectName("SupportDirection")
         self.direction.setToolTip(

@@ -47,7 +47,7 @@ class SupportsPart(SupportsForm):
         # supports by their names.
         self._held, self._net, self._scene, self._hidden = [], None, None, {}
         # What a support was before it was freed by the slider.
-        self._kinds = {}
+        self._kinds_before = {}
         self._hovered, self._are_close = (), False
         self.marks = SupportMarks(self._shell.ViewObject)
         self.picks = Picks(self._picked)
@@ -99,7 +99,7 @@ class SupportsPart(SupportsForm):
 
     def _take_held(self):
         """Mark and list what holds the form as the properties now are."""
-        if self._net is None:
+        if self._net is None or self._shell.Net is None:
             return
         try:
             self._held = held_by_each(self._shell, self._net)
@@ -123,7 +123,7 @@ class SupportsPart(SupportsForm):
         form = self._session.form
         if form is None:
             return
-        are_close = screen.length_of(form.nodes / MILLIMETRE, form.members) < CLOSE
+        are_close = screen.length_of(form.drawn_nodes / MILLIMETRE, form.members) < CLOSE
         if are_close != self._are_close:
             self._are_close = are_close
             self._draw()
@@ -201,6 +201,9 @@ class SupportsPart(SupportsForm):
 
     def _do(self, change, merge=None):
         """Whether a step could be made; if not, why not is said."""
+        if self._shell.Net is None:
+            self.say_what_is_wrong(translate("The gridshell has no Net any more."))
+            return False
         try:
             self.steps.do(change, merge)
         except (ValueError, WrongSelection) as error:
@@ -222,6 +225,7 @@ class SupportsPart(SupportsForm):
         return self._back_or_on(self.steps.can_redo, self.steps.redo)
 
     def _back_or_on(self, can, do):
+        can = can and self._shell.Net is not None
         if can:
             do()
             self._say_what_is_picked()
@@ -297,12 +301,12 @@ class SupportsPart(SupportsForm):
         def change():
             for support in self._chosen_supports(added):
                 if stiffness == NONE:
-                    self._kinds.setdefault(support.Name, support.Kind)
+                    self._kinds_before.setdefault(support.Name, support.Kind)
                     support.Kind = FREE
                     continue
                 if support.Kind == FREE:
-                    support.Kind = self._kinds.get(support.Name, FIXED)
-                self._kinds.pop(support.Name, None)
+                    support.Kind = self._kinds_before.get(support.Name, FIXED)
+                self._kinds_before.pop(support.Name, None)
                 support.Stiffness = FreeCAD.Units.Quantity(
                     "0 N/m" if stiffness == RIGID else f"{stiffness!r} N/m"
                 )
