@@ -1472,6 +1472,10 @@
             <translation>Die Gitterschale hat sich seit Beginn geändert: „Erneut messen“ drücken.</translation>
         </message>
         <message>
+            <source>The gridshell has no Net any more.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The guide is missing: {}. Install the addon again.</source>
             <translation>Die Anleitung fehlt: {}. Das Addon neu installieren.</translation>
         </message>

@@ -1472,6 +1472,10 @@
             <translation>La gridshell è cambiata da quando si è iniziato: premere «Misura di nuovo».</translation>
         </message>
         <message>
+            <source>The gridshell has no Net any more.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The guide is missing: {}. Install the addon again.</source>
             <translation>Manca la guida: {}. Reinstallare l'addon.</translation>
         </message>

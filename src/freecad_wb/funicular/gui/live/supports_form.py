@@ -151,6 +151,7 @@ class SupportsForm(QtWidgets.QWidget):
             button.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
             button.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
             button.clicked.connect(lambda _=False, kind=kind: self.hold(kind))
+            button.setMinimumWidth(NARROW)
             grid.addWidget(button, number // COLUMNS, number % COLUMNS)
             self._kind_buttons.append(button)
         self.direction = QtWidgets.QComboBox()
