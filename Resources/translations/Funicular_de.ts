@@ -1473,7 +1473,7 @@
         </message>
         <message>
             <source>The gridshell has no Net any more.</source>
-            <translation type="unfinished" />
+            <translation>Die Gitterschale hat kein Netz mehr.</translation>
         </message>
         <message>
             <source>The guide is missing: {}. Install the addon again.</source>

@@ -1473,7 +1473,7 @@
         </message>
         <message>
             <source>The gridshell has no Net any more.</source>
-            <translation type="unfinished" />
+            <translation>Il reticolo non ha più una rete.</translation>
         </message>
         <message>
             <source>The guide is missing: {}. Install the addon again.</source>
