@@ -49,7 +49,7 @@ ON_SCREEN = Ramps(
 # enough to tell.
 ONE_RAMP = Ramps(
     compression=((0.12, 0.63, 0.53), (0.15, 0.53, 0.56), (0.19, 0.45, 0.58), (0.23, 0.40, 0.60)),
-    tension=((0.62, 0.74, 0.12), (0.78, 0.70, 0.10), (0.90, 0.69, 0.05)),
+    tension=((0.55, 0.71, 0.14), (0.76, 0.70, 0.10), (0.90, 0.69, 0.05)),
     amount=ON_SCREEN.amount,
     unknown=ON_SCREEN.unknown,
 )

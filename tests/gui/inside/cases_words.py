@@ -286,15 +286,19 @@ def texts_of(widgets):
 
 
 class Marking(QtCore.QTranslator):
-    """Translates all that is ours into itself, in marks."""
+    """Translates what can be translated into itself, in marks."""
+
+    def __init__(self):
+        super().__init__()
+        self._german = QtCore.QTranslator()
+        assert self._german.load(str(pathlib.Path(funicular_locate.TRANSLATION_FOLDER) / "Funicular_de.qm"))
 
     def translate(self, context, text, disambiguation=None, n=-1):
-        ours = context.startswith("Funicular") or context == "App::Property"
-        return f"«{text}»" if ours and text else ""
+        return f"«{text}»" if self._german.translate(context, text) else ""
 
 
 # What is the same in every language: numbers, symbols, units, names of what a user named.
-SAME_IN_ALL = re.compile(r"[^A-Za-zÀ-ÖØ-öø-ÿ]*|[\d.,\-+]+ ?(mm|m|kN|N|kg/m²?|kN/m²|deg|°|ms?|cm|in|ft)")
+SAME_IN_ALL = re.compile(r"[^A-Za-zÀ-ÖØ-öø-ÿ]*|[\d.,\-+]+ ?(mm|m|kN|N|M?Pa|kg/m²?|kN/m²|deg|°|ms?|cm|in|ft)")
 
 
 def test_nothing_in_the_panel_escapes_translation(opened):
