@@ -11,7 +11,7 @@ from funicular.features.section import SECTION_PROPERTIES
 from funicular.gui import legend, solving
 from funicular.gui.colouring import NAMES as COLOURING
 from funicular.gui.colouring import Coloured, add_colouring, colouring_of, is_complete, migrate_colouring
-from funicular.gui.drawing.load_arrows import LONGEST, LoadArrows
+from funicular.gui.drawing.load_arrows import LONGEST, LoadArrows, size_of
 from funicular.gui.drawing.reaction_arrows import ReactionArrows
 from funicular.gui.drawing.look import NAMES as LOOK
 from funicular.gui.drawing.look import add_look, exaggeration_of, look_of
@@ -159,22 +159,23 @@ class ViewProviderPointLoad(ViewProvider):
         for shell in shells:
             form = form_of(shell, exaggeration_of(shell.ViewObject))
             if form is not None and len(form.nodes) == load.Net.NodeCount:
-                self.show(form.drawn_nodes * MILLIMETRES, load.LoadedNodes, shell.Placement, largest)
-                return
-        self.show(positions_of(load.Net), load.LoadedNodes, FreeCAD.Placement(), largest)
+                nodes, place = form.drawn_nodes * MILLIMETRES, shell.Placement
+                break
+        else:
+            nodes, place = positions_of(load.Net), FreeCAD.Placement()
+        loaded = np.asarray(load.LoadedNodes, dtype=int)
+        self.show(nodes[loaded[loaded < len(nodes)]], place, size_of(nodes), largest)
 
-    def show(self, nodes, loaded, place, largest):
-        """Draw it on those of the nodes (n, 3) [mm] that are loaded.
+    def show(self, points, place, size, largest):
+        """Draw it at other points (k, 3) [mm].
 
-        place: Placement of the nodes. largest: of all forces that are shown beside it, in FreeCAD's own unit.
+        place: Placement of the points. size: of what bears it [mm]. largest: of all forces that are shown
+        beside it, in FreeCAD's own unit.
         """
         load = self.vobj.Object
-        loaded = np.asarray(loaded, dtype=int)
-        loaded = loaded[loaded < len(nodes)]
-        size = float(np.ptp(nodes, axis=0).max()) if len(loaded) else 0.0
         length = LONGEST * size * load.Force.Value / largest if largest > 0.0 else 0.0
         matrix = np.array(load.Placement.inverse().multiply(place).toMatrix().A).reshape(4, 4)
-        points = nodes[loaded] @ matrix[:3, :3].T + matrix[:3, 3]
+        points = points @ matrix[:3, :3].T + matrix[:3, 3]
         direction = matrix[:3, :3] @ tuple(load.Direction)
         self._arrows.show(points, direction, length, load.Force.UserString)
 

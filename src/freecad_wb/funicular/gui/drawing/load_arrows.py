@@ -14,6 +14,12 @@ LONGEST = 0.15
 LABEL = " ".join(map(str, COLOUR))
 
 
+def size_of(nodes):
+    """Of nodes (n, 3): the longest edge of the box that holds them."""
+    # By columns, for along rows of three numpy takes ten times as long.
+    return max((float(np.ptp(column)) for column in nodes.T), default=0.0)
+
+
 class LoadArrows:
     """The arrows of one load, and beside one of them what it is. root: a coin node to be hung somewhere."""
 

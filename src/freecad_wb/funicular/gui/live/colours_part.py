@@ -83,7 +83,6 @@ class ColoursPart(QtWidgets.QWidget):
     def leave(self):
         """Hold nothing of the panel: PySide keeps what FreeCAD's own boxes were connected to."""
         self._pause.stop()
-        self._session.moved.disconnect(self._moved)
         self.section.leave()
         self._session, self._unreadable, self._boxes, self._labels = None, {}, {}, {}
 

@@ -50,7 +50,6 @@ class Hover(QtCore.QObject):
         """Nothing stands out, and nothing is listened to."""
         self._pause.stop()
         self._pointer.remove(self)
-        self._session.moved.disconnect(self._follow)
         self._pointer.tip.say(self, "")
         self._session, self._at = None, None
         self.deleteLater()

@@ -76,6 +76,11 @@ class LoadRow(QtWidgets.QWidget):
         self.show_count(len(load.LoadedNodes))
         self.show_load()
 
+    def leave(self):
+        """Hold nothing of the panel: PySide keeps what FreeCAD's own boxes were connected to."""
+        self._session = self._on_edit = self._slider = None
+        self._unreadable = {}
+
     def show_count(self, count):
         """Tell on how many nodes it is."""
         words = translate("{}, {} nodes") if count != 1 else translate("{}, {} node")
@@ -96,6 +101,8 @@ class LoadRow(QtWidgets.QWidget):
         self._direction.blockSignals(blocked)
 
     def _set_force(self, quantity, at_once):
+        if self._session is None:
+            return
         self._unreadable.pop(self.load_name, None)
         try:
             if not expression_of(self.load, "Force") and self.load.Force != quantity:
@@ -118,5 +125,7 @@ class LoadRow(QtWidgets.QWidget):
             self._slider.show_amount(self.load.Force.Value)
 
     def _unread(self, sentence):
+        if self._session is None:
+            return
         self._unreadable[self.load_name] = sentence
         self._on_edit()

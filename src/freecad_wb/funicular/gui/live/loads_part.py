@@ -3,6 +3,7 @@
 
 import funicular as fn
 from funicular.features.node_choice import nodes_of
+from funicular.gui.drawing.load_arrows import size_of
 from funicular.gui.live.load_row import LoadRow
 from funicular.gui.picking import WrongSelection
 from funicular.gui.qt import QtWidgets, translate
@@ -62,6 +63,12 @@ class LoadsPart(QtWidgets.QWidget):
                 self._lead(load, False)
         except (ReferenceError, RuntimeError):
             pass  # the gridshell is gone, or the document
+        self._session.came.disconnect(self._came)
+        self._session.moved.disconnect(self._draw)
+        for row in self._all_rows():
+            row.leave()
+        self._session = self._where = self._on_edit = None
+        self._unreadable, self._shown = {}, []
 
     def show_all(self):
         """Show the loads as they are in the document."""
@@ -73,6 +80,7 @@ class LoadsPart(QtWidgets.QWidget):
         else:
             for row in rows:
                 self._unreadable.pop(row.load_name, None)
+                row.leave()
                 row.setParent(None)
                 row.deleteLater()
             for load in loads:
@@ -122,7 +130,7 @@ class LoadsPart(QtWidgets.QWidget):
                 nodes = nodes_of(row.load, moment.scene.net)
             except (fn.InvalidInput, ReferenceError):
                 continue  # the state of the panel says it
-            self._shown.append((row.load, nodes.tolist()))
+            self._shown.append((row.load, nodes))
             row.show_count(len(nodes))
         self._largest = max((load.Force.Value for load, _ in self._shown), default=0.0)
         self._draw()
@@ -131,10 +139,13 @@ class LoadsPart(QtWidgets.QWidget):
         form = self._session.form
         if form is None or not self._shown:
             return
-        nodes, place = form.drawn_nodes * MILLIMETRES, self._session.shell.Placement
+        nodes, place = form.drawn_nodes, self._session.shell.Placement
+        size = size_of(nodes)
         try:
             for load, loaded in self._shown:
-                load.ViewObject.Proxy.show(nodes, loaded, place, self._largest)
+                # Of another net, until it is said which of this one bear it.
+                points = nodes[loaded[loaded < len(nodes)]]
+                load.ViewObject.Proxy.show(points * MILLIMETRES, place, size * MILLIMETRES, self._largest)
         except ReferenceError:
             self._shown = []  # one is gone; the next scene says which are left
 

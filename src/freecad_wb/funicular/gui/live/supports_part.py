@@ -79,6 +79,9 @@ class SupportsPart(SupportsForm):
             except (ReferenceError, RuntimeError):
                 pass  # it is gone
         self._hidden = {}
+        # PySide keeps some of what widgets were connected to: that holds nothing of the panel.
+        self._session = self._pointer = None
+        self.tools.deleteLater()
 
     # What follows the session
 
