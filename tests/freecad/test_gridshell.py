@@ -93,7 +93,6 @@ def fan_area(corners):
 def test_compression_is_negative_and_the_sentence_says_so(shell):
     assert max(shell.MemberForces) < 1e-6 and min(shell.MemberForces) < -1000
     assert result_line(shell).startswith("Compression only")
-    assert "Converged" in result_line(shell)
 
 
 def test_a_hemisphere_that_may_pull_is_not_compression_only(doc):
