@@ -16,6 +16,7 @@ from funicular.gui.drawing.reaction_arrows import ReactionArrows
 from funicular.gui.drawing.look import NAMES as LOOK
 from funicular.gui.drawing.look import add_look, exaggeration_of, look_of
 from funicular.gui.drawing.net_drawing import NetDrawing
+from funicular.gui.drawing.shapes import MILLIMETRES
 from funicular.gui.drawing.surfaces import TIMBER
 from funicular.gui.icons import icon
 from funicular.gui.picking import clicked_object
@@ -24,7 +25,6 @@ from funicular.gui.picking import clicked_object
 # FreeCAD's own line colours.
 COLOURING_DATA = ("TensionMembers", "SlackMembers", "Label", *(each.name for each in SECTION_PROPERTIES))
 LINE_WIDTH = 3.0
-MILLIMETRES = 1e3  # of a metre
 
 # Through a covering the members are seen.
 TRANSPARENCY = 30

@@ -4,9 +4,10 @@
 import numpy as np
 from pivy import coin
 
+from funicular.gui.drawing.shapes import set_points
+
 COLOUR = (0.91, 0.12, 0.60)
 LINE_WIDTH, POINT_SIZE = 7.0, 11.0
-MILLIMETRES = 1e3  # of a metre
 
 
 class Highlight:
@@ -39,18 +40,9 @@ class Highlight:
             self._members = ()
         if len(self._nodes) and self._nodes.max() >= len(form.nodes):
             self._nodes = ()
-        ends = (
-            form.drawn_nodes[form.members[list(self._members)]].reshape(-1, 3) if len(self._members) else ()
-        )
-        _set(self._line_points, ends)
+        members, nodes = np.asarray(self._members, dtype=int), np.asarray(self._nodes, dtype=int)
+        set_points(self._line_points, form.drawn_nodes[form.members[members]].reshape(-1, 3))
         self._lines.numVertices.setValues(0, len(self._members), [2] * len(self._members))
         self._lines.numVertices.setNum(len(self._members))
-        dots = form.drawn_nodes[list(self._nodes)] if len(self._nodes) else ()
-        _set(self._points, dots)
+        set_points(self._points, form.drawn_nodes[nodes])
         self._dots.numPoints = len(self._nodes)
-
-
-def _set(coordinates, points):
-    points = (np.asarray(points) * MILLIMETRES).tolist() if len(points) else []
-    coordinates.point.setValues(0, len(points), points)
-    coordinates.point.setNum(len(points))

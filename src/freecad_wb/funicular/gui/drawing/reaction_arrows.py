@@ -5,8 +5,8 @@ import numpy as np
 from pivy import coin
 
 from funicular.arrows import LONGEST, POINTS, arrow_lines, arrow_points
+from funicular.gui.drawing.shapes import MILLIMETRES
 
-MILLIMETRES = 1e3  # of a metre
 # Unlike any force, and seen on white as on dark blue.
 COLOUR = (0.13, 0.62, 0.25)
 LINE_WIDTH = 2.0

@@ -16,9 +16,9 @@ from funicular.gui.drawing.mark_shapes import (
     YIELDS,
     marker,
 )
+from funicular.gui.drawing.shapes import MILLIMETRES
 from funicular.held import square_in
 
-MILLIMETRES = 1e3  # of a metre
 NAME = "Funicular_support_marks"
 LINE_WIDTH = 3.0
 # Of a member's length: half a line, and from the middle of a square to its corner.

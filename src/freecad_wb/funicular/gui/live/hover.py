@@ -6,10 +6,10 @@ from pivy import coin
 from funicular.gui.colouring import section_or_fault
 from funicular.gui.drawing.highlight import Highlight
 from funicular.gui.drawing.on_screen import REACH
+from funicular.gui.drawing.shapes import MILLIMETRES
 from funicular.gui.live.readings import read_member, read_node
 from funicular.gui.qt import QtCore
 
-MILLIMETRES = 1e3  # of a metre
 NAME = "Funicular_hover"
 # Seen on white as on dark blue, beside blue, orange and violet.
 COLOUR = (0.16, 0.72, 0.10)

@@ -4,12 +4,11 @@
 import funicular as fn
 from funicular.features.node_choice import nodes_of
 from funicular.gui.drawing.load_arrows import size_of
+from funicular.gui.drawing.shapes import MILLIMETRES
 from funicular.gui.live.load_row import LoadRow
 from funicular.gui.picking import WrongSelection
 from funicular.gui.qt import QtWidgets, translate
 from funicular.gui.texts import WRONG, WrappedText
-
-MILLIMETRES = 1e3  # of a metre
 
 
 class LoadsPart(QtWidgets.QWidget):

@@ -7,10 +7,10 @@ import numpy as np
 from funicular.features.net import nodes_of_element
 from funicular.gui.drawing.raise_drawing import RaiseDrawing
 from funicular.gui.drawing.screen_outline import ScreenOutline
+from funicular.gui.drawing.shapes import MILLIMETRES
 from funicular.gui.qt import QtCore, translate
 
 OFF, NODES, BOX, LASSO, EDGES, RAISE = "Off", "Nodes", "Box", "Lasso", "Edges", "Raise"
-MILLIMETRES = 1e3  # of a metre
 MOVED = 4.0  # [px] from where it was pressed: what is nearer is a click
 # Of a member's length: what a height is rounded to, for nobody drags by the micrometre.
 FINEST_HEIGHT = 0.01

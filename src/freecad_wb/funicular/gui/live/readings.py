@@ -4,13 +4,13 @@
 import FreeCAD
 import numpy as np
 
+from funicular.gui.drawing.shapes import MILLIMETRES
 from funicular.gui.qt import translate
 from funicular.gui.units import in_words
 from funicular.quantities import DEVIATION, LENGTH, are_in_tension, are_slack
 
 # Of the largest there is: what is smaller is rounding.
 NOTHING = 1e-6
-MILLIMETRES = 1e3  # of a metre
 
 
 def read_member(form, number, section=None):

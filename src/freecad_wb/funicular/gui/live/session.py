@@ -19,8 +19,6 @@ from funicular.pace import Pace
 
 KEPT_FRAMES = 1000
 
-METRES = 1e-3  # of a millimetre
-
 
 class Session(QtCore.QObject):
     """What all parts of the panel share.
