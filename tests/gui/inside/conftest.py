@@ -4,6 +4,8 @@
 import json
 import os
 import pathlib
+import sys
+import traceback
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -19,6 +21,17 @@ from window import (
     settle,
     wait_for_result,
 )
+
+
+@pytest.fixture(autouse=True)
+def nothing_is_raised_in_a_slot(monkeypatch):
+    """Qt goes on after an exception in Python that it called, and the report view does not get it here."""
+    raised = []
+    monkeypatch.setattr(
+        sys, "excepthook", lambda *error: raised.append("".join(traceback.format_exception(*error)))
+    )
+    yield
+    assert not raised, "\n".join(raised)
 
 
 @pytest.fixture
