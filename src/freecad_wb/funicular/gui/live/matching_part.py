@@ -83,6 +83,9 @@ class MatchingPart(QtWidgets.QWidget):
         if isinstance(matched, str):
             self._text.setText(matched)
             return
+        if not self._session.solve_scene(matched.scene, self._of):
+            # What it was asked of has been changed since: the form that comes of that will be matched.
+            return
         self._matched = matched.scene
         before, after = matched.deviations[0], matched.deviations[matched.best_round]
         self._text.setText(
@@ -90,7 +93,6 @@ class MatchingPart(QtWidgets.QWidget):
                 number(100 * before, ".2g"), number(100 * after, ".2g"), matched.best_round
             )
         )
-        self._session.solve_scene(matched.scene)
 
 
 def _deviation_text(moment):

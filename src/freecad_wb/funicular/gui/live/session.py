@@ -51,7 +51,7 @@ class Session(QtCore.QObject):
         self.own_form = self.moment = self._other = self._goal = None
         self.frame_seconds = deque(maxlen=KEPT_FRAMES)
         self.watched, self.accuracy, self.problem = False, 1e-3, ""
-        self._net = self._laid = self._live = self._pace = None
+        self._net = self._laid = self._live = self._pace = self._scene = None
         self._exaggeration, self._exaggerated = 1.0, None
         self._changed = self._stopped = False
         self._timer = QtCore.QTimer(self)
@@ -87,7 +87,7 @@ class Session(QtCore.QObject):
 
     def restart(self):
         """Begin again from the net as it was laid."""
-        if self._live is None:
+        if self._live is None or self._net is None:
             self.change()
             return
         self._live.restart()
@@ -100,7 +100,8 @@ class Session(QtCore.QObject):
         if watched != self.watched:
             self.watched = watched
             self._take_up()
-            self.restart()
+            if self._net is not None:
+                self.restart()
 
     def look_at(self, form):
         """Show another Form of the same net in place of the gridshell's own; None shows that again."""
@@ -118,11 +119,18 @@ class Session(QtCore.QObject):
             if not self._timer.isActive():
                 self.rested.emit()
 
-    def solve_scene(self, scene):
-        """Go on with a scene that is more than what the properties say, until one of them changes."""
+    def solve_scene(self, scene, of):
+        """Go on with a scene that is more than what the properties say, until one of them changes.
+
+        of: the scene of the properties that it was made of; False, and nothing else, comes of one that they
+        say no more.
+        """
+        if of is not self._scene or self._changed or self.problem:
+            return False
         self._live.change(scene, self.accuracy, self.shell.Method.lower(), self.watched)
         self._pace.change(time.monotonic())
         self._timer.start()
+        return True
 
     def pause(self):
         if self._live is not None:
@@ -167,7 +175,7 @@ class Session(QtCore.QObject):
         """(all loads [N], size of the net [m]) of the scene as it was last solved; zeros before."""
         if self.moment is None or self.moment.certificate is None:
             return 0.0, 0.0 if self._net is None else self._net.size
-        return abs(self.moment.certificate.total_load[2]), self._net.size
+        return abs(self.moment.certificate.total_load[2]), self.moment.scene.net.size
 
     def stop(self):
         """Nothing more is wanted; the document may be about to go."""
@@ -237,7 +245,7 @@ class Session(QtCore.QObject):
         except (*EXPECTED, ReferenceError) as error:
             self._fail(str(reason(error)))
             return
-        self.problem = ""
+        self.problem, self._scene = "", scene
         method = "relaxation" if self.watched else self.shell.Method.lower()
         now = time.monotonic()
         if self._live is None:

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel while several things happen at once, or with what cannot be solved: nothing is shown that is not so."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import pytest
+from cases_live import click, panel_of, sheet, text_of  # noqa: F401 (sheet is a fixture)
+from window import (
+    QtCore,
+    QtWidgets,
+    child,
+    clear_report_view,
+    panel_box,
+    press,
+    report_view,
+    result_line,
+    session_of,
+    settle,
+    type_into,
+    wait_for_rest,
+    wait_until,
+)
+
+
+def test_matched_lengths_of_what_has_changed_since_are_left(opened):
+    wait_for_rest(opened)
+    session, found = session_of(opened), panel_of(opened).matching._background._poll
+    click(QtWidgets.QPushButton, "MatchLengths")
+    wait_until(lambda: text_of("MatchingResult").startswith("Matching"), "rounds")
+    found.stop()
+    click(QtWidgets.QToolButton, "Pause")
+    panel_box("CoveringWeightSlider").setValue(195)
+    wait_until(lambda: not (panel_of(opened)._pause.isActive() or session._timer.isActive()), "the change")
+    found.start()
+    wait_until(lambda: not found.isActive(), "the end of the rounds")
+    click(QtWidgets.QToolButton, "Pause")
+    wait_until(lambda: "best reached" in text_of("MatchingResult"), "matched lengths")
+    wait_for_rest(opened)
+    shown = -session.moment.certificate.total_load[2]
+    press("Ok")
+    assert shown == pytest.approx(float(opened.TotalWeight.getValueAs("N")), rel=1e-3)
+
+
+def test_buttons_while_the_net_cannot_be_laid(opened):
+    wait_for_rest(opened)
+    type_into(panel_box("StepU"), "0 mm")
+    wait_until(lambda: "StepU is 0 mm" in result_line(), "a sentence")
+    click(QtWidgets.QToolButton, "Restart")
+    panel_box("AxialStiffnessSlider").setValue(120)
+    click(QtWidgets.QCheckBox, "RelaxSlowly")
+    assert "StepU is 0 mm" in result_line()
+    type_into(panel_box("StepU"), "400 mm")
+    click(QtWidgets.QCheckBox, "RelaxSlowly")
+    wait_until(lambda: result_line().startswith("✔"), "a form")
+    press("Cancel")
