@@ -49,6 +49,7 @@ class InputsPart(QtWidgets.QWidget):
                 self._driven.append((widget, obj, name))
         self.show_what_counts()
         session.came.connect(self.follow_expressions)
+        session.rested.connect(self._follow_scene)
 
     def leave(self):
         """Hold nothing of the panel: PySide keeps what FreeCAD's own boxes were connected to."""
@@ -113,6 +114,14 @@ class InputsPart(QtWidgets.QWidget):
         try:
             for widget, obj, name in self._driven:
                 show_value(widget, obj, name)
+        except ReferenceError:
+            pass  # the object is gone, and what depends on it says so
+
+    def _follow_scene(self):
+        """Let sliders stand where the amounts are, in the ranges that the scene has now."""
+        try:
+            for _, _, obj, name in self._rows:
+                self._follow(obj, name)
         except ReferenceError:
             pass  # the object is gone, and what depends on it says so
 

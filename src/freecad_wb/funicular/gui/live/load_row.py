@@ -89,7 +89,7 @@ class LoadRow(QtWidgets.QWidget):
     def show_load(self):
         """Show what the load has become by other hands."""
         show_value(self._force, self.load, "Force")
-        self._follow()
+        self.follow()
         wanted = tuple(self.load.Direction)
         blocked = self._direction.blockSignals(True)
         known = [self._direction.itemData(at) for at in range(self._direction.count())]
@@ -110,7 +110,7 @@ class LoadRow(QtWidgets.QWidget):
                 if at_once:
                     show_value(self._force, self.load, "Force")
                     self._session.change()
-            self._follow()
+            self.follow()
         except ReferenceError:
             # The load is gone, and what depended on it says so when it is solved.
             self._session.change()
@@ -120,7 +120,8 @@ class LoadRow(QtWidgets.QWidget):
         self.load.Direction = FreeCAD.Vector(*self._direction.itemData(at))
         self._session.change()
 
-    def _follow(self):
+    def follow(self):
+        """Let the slider stand where the force is, in the range that the scene has now."""
         if self._slider is not None and not self._slider.isSliderDown():
             self._slider.show_amount(self.load.Force.Value)
 

@@ -53,6 +53,7 @@ class LoadsPart(QtWidgets.QWidget):
         self._say("")
         session.came.connect(self._came)
         session.moved.connect(self._draw)
+        session.rested.connect(self._rested)
         self.show_all()
 
     def leave(self):
@@ -64,6 +65,7 @@ class LoadsPart(QtWidgets.QWidget):
             pass  # the gridshell is gone, or the document
         self._session.came.disconnect(self._came)
         self._session.moved.disconnect(self._draw)
+        self._session.rested.disconnect(self._rested)
         for row in self._all_rows():
             row.leave()
         self._session = self._where = self._on_edit = None
@@ -147,6 +149,13 @@ class LoadsPart(QtWidgets.QWidget):
                 load.ViewObject.Proxy.show(points * MILLIMETRES, place, size * MILLIMETRES, self._largest)
         except ReferenceError:
             self._shown = []  # one is gone; the next scene says which are left
+
+    def _rested(self):
+        for row in self._all_rows():
+            try:
+                row.follow()
+            except ReferenceError:
+                continue  # its load is gone; the next scene says which are left
 
     def _all_rows(self):
         return [self._rows.itemAt(at).widget() for at in range(self._rows.count())]

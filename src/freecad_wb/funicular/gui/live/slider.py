@@ -21,6 +21,8 @@ TIMES = 4.0
 # Amounts that count in multiples: from and to, in multiples of a measure of the scene.
 STIFFNESS = (1.0, 1e4)  # of all loads: what is softer hardly stands, what is stiffer hardly stretches
 ACCURACY = (1e-7, 3e-3)  # of the size of the net
+# Where neither the scene nor what they were says anything: in FreeCAD's own units, 1 kN to 100 MN, 1 µm to 1 cm.
+WITHOUT_MEASURE = {"AxialStiffness": (1e6, 1e11), "Accuracy": (1e-3, 10.0)}
 
 # Amounts that start at nothing, and reach to a part of all loads as they are first known.
 PART_OF_LOAD = {"Force": 0.1}
@@ -48,7 +50,9 @@ class AmountSlider(QtWidgets.QSlider):
         self.setRange(0, STEPS)
         self.setMinimumWidth(48)
         self._name, self._session, self._on_change = name, session, on_change
-        self._unit, self._first, self._load = value.Unit, value.Value, 0.0
+        # What a script or an expression has made of it need be no amount.
+        first = value.Value if math.isfinite(value.Value) and value.Value > 0.0 else 0.0
+        self._unit, self._first, self._load = value.Unit, first, 0.0
         self.show_amount(value.Value)
         self.valueChanged.connect(self._changed)
 
@@ -56,7 +60,9 @@ class AmountSlider(QtWidgets.QSlider):
         """Stand where `amount` is, in FreeCAD's own unit, without taking it for an edit."""
         blocked = self.blockSignals(True)
         low, high = self._range()
-        if low == 0.0:
+        if not math.isfinite(amount):
+            share = 0.0
+        elif low == 0.0:
             share = amount / high
         else:
             share = math.log(max(amount, low) / low) / math.log(high / low)
@@ -88,7 +94,9 @@ class AmountSlider(QtWidgets.QSlider):
         )
         if not 0.0 < low < high:
             low, high = self._first / 100.0, self._first * 100.0
-        return min(low, self._first), max(high, self._first)
+        if not 0.0 < low < high:
+            low, high = WITHOUT_MEASURE[self._name]
+        return min(low, self._first or low), max(high, self._first)
 
 
 class ResetButton(QtWidgets.QToolButton):
