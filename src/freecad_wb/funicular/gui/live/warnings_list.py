@@ -27,13 +27,15 @@ class WarningsList(QtWidgets.QWidget):
         self._column = QtWidgets.QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(2)
-        self._told = None
+        # What is warned of, and the moment that it is of: a solve that goes on has none yet.
+        self._told = self._moment = None
 
     def clear(self):
         self._tell(())
 
     def show_moment(self, moment):
         """Warn of what there is to warn of in a moment that has ended."""
+        self._moment = moment
         self._tell(tuple(self._of(moment)))
 
     def _of(self, moment):
@@ -110,8 +112,11 @@ class WarningsList(QtWidgets.QWidget):
     def _leave_out(self):
         from funicular.features.picked_edits import taken_out_of_net
 
-        moment = self._session.moment
-        pairs = moment.scene.net.members[_slack(moment)]
+        members, net = self._moment.scene.net.members, self._session.source_net
+        if net is None or not np.array_equal(members, net.members):
+            # Of another net than it now is, and what that comes to is not known yet.
+            return
+        pairs = members[_slack(self._moment)]
         for name, value in taken_out_of_net(self._session.net, pairs).items():
             setattr(self._session.net, name, value)
 
