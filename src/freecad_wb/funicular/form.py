@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A gridshell as it stands at one moment: what there is to draw of it and to read from it. Only numpy."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
@@ -84,6 +84,23 @@ def form_as_laid(net):
     """The Form of a Net that bears nothing yet."""
     nothing = np.zeros_like(net.nodes)
     return Form(net.nodes, net.nodes, net.members, net.panels, np.zeros(len(net.members)), nothing)
+
+
+def other_form(form, nodes, member_forces, reactions):
+    """The Form of the same net with other nodes, and the forces that belong to them.
+
+    Forces are none where those that are given are not of as many members and nodes.
+    """
+    fits = len(member_forces) == len(form.members) and len(reactions) == len(form.nodes)
+    return replace(
+        form,
+        nodes=nodes,
+        member_forces=member_forces if fits else np.zeros(len(form.members)),
+        reactions=reactions if fits else np.zeros_like(form.nodes),
+        tension_members=NOBODY,
+        slack_members=NOBODY,
+        is_certified=False,
+    )
 
 
 def numbers_of(form):

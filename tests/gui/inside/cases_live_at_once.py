@@ -5,6 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 from cases_live import click, panel_of, sheet, text_of  # noqa: F401 (sheet is a fixture)
+from funicular.features.variants import variants_of
 from window import (
     QtCore,
     QtWidgets,
@@ -83,3 +84,59 @@ def test_the_panel_opens_on_what_is_no_amount_and_mends_it(opened, name, value):
     wait_until(lambda: result_line().startswith("✔"), "a form")
     press("Ok")
     assert opened.Status == "converged"
+
+
+def test_slack_members_cannot_be_left_out_before_they_are_known(sheet):  # noqa: F811
+    wait_for_rest(sheet)
+    type_into(panel_box("AxialStiffness"), "100000 kN")
+    wait_until(lambda: "slack" in text_of("Warning0"), "a warning")
+    wait_for_rest(sheet)
+    members = sheet.Net.MemberCount
+    click(QtWidgets.QToolButton, "Pause")
+    panel_box("CoveringWeightSlider").setValue(150)
+    wait_until(lambda: not session_of(sheet).moment.ended, "a solve that waits")
+    click(QtWidgets.QPushButton, "Warning0_leave_out")
+    assert len(sheet.Net.RemovedMembers), "those that were warned of"
+    click(QtWidgets.QToolButton, "Pause")
+    wait_until(lambda: sheet.Net.MemberCount < members, "a net without them")
+    press("Cancel")
+
+
+def test_an_alternative_is_what_the_form_has_come_to_and_bears_its_own_forces(sheet):  # noqa: F811
+    session, low = session_of(sheet), wait_for_rest(sheet)
+    click(QtWidgets.QToolButton, "SectionAlternatives")
+    panel_box("CoveringWeightSlider").setValue(195)
+    before = session.moment
+    wait_until(lambda: session.moment is not before and session.moment.ended, "a solve that has ended")
+    click(QtWidgets.QPushButton, "KeepThis")
+    type_into(panel_box("CoveringWeight"), "30")
+    click(QtWidgets.QPushButton, "KeepThis")
+    assert variants_of(sheet) == [] and "settled" in text_of("VariantSays")
+    wait_until(lambda: session.is_result, "a form at rest")
+    click(QtWidgets.QPushButton, "KeepThis")
+    (kept,) = variants_of(sheet)
+    assert kept.nodes == pytest.approx(low.nodes, abs=2e-3)
+    panel_box("CoveringWeightSlider").setValue(195)
+    wait_until(lambda: session.is_result, "a form at rest")
+    present, strip, table = session.form, panel_box("Variants"), panel_box_of_numbers()
+    strip.item(0).setSelected(True)
+    settle()
+    seen = session.form
+    assert seen.member_forces == pytest.approx(kept.member_forces) and not seen.is_certified
+    assert seen.loads() == pytest.approx(low.loads(), abs=1e-2 * abs(low.loads()).max())
+    told = table.item(1, 1).text()
+    panel_box("CoveringWeightSlider").setValue(100)
+    wait_until(lambda: session.is_result, "a form at rest")
+    assert not strip.selectedItems(), "the present form is what is seen"
+    assert session.form.nodes != pytest.approx(present.nodes, abs=1e-2)
+    strip.item(0).setSelected(True)
+    settle()
+    assert table.item(1, 1).text() not in ("", told)
+    press("Cancel")
+
+
+def panel_box_of_numbers():
+    """The table of alternatives, which is there to be seen once one is chosen."""
+    return next(
+        widget for widget in QtWidgets.QApplication.allWidgets() if widget.objectName() == "VariantNumbers"
+    )

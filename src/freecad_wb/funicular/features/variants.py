@@ -33,8 +33,9 @@ VECTORS = ("App::PropertyVector", "App::PropertyVectorList")
 class Variant:
     """A kept alternative.
 
-    numbers: as funicular.form.numbers_of(), with compression_only. nodes: (n, 3) [m]. thumbnail: a PNG
-    picture, empty without one. inputs: {"Gridshell": {property: value}, "Net": …, "Supports": [{…}, …],
+    numbers: as funicular.form.numbers_of(), with compression_only. nodes: (n, 3) [m]. member_forces: (m,) and
+    reactions: (n, 3) [N], both empty where they were not kept. thumbnail: a PNG picture, empty without one.
+    inputs: {"Gridshell": {property: value}, "Net": …, "Supports": [{…}, …],
     "PointLoads": [{…}, …]}.
     source: [name, faces] of what its net lay on.
     """
@@ -42,23 +43,38 @@ class Variant:
     name: str
     numbers: dict
     nodes: np.ndarray
+    member_forces: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    reactions: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
     thumbnail: bytes = b""
     inputs: dict = field(default_factory=dict)
     source: tuple = ()
 
     def to_text(self):
-        packed = zlib.compress(np.ascontiguousarray(self.nodes, dtype="<f4").tobytes(), 6)
         return json.dumps(
             {
                 "schema": SCHEMA_VERSION,
                 "name": self.name,
                 "numbers": self.numbers,
-                "nodes": base64.b64encode(packed).decode("ascii"),
+                "nodes": _packed(self.nodes),
+                "member_forces": _packed(self.member_forces),
+                "reactions": _packed(self.reactions),
                 "thumbnail": base64.b64encode(self.thumbnail).decode("ascii"),
                 "inputs": self.inputs,
                 "source": self.source,
             }
         )
+
+
+def _packed(numbers):
+    """An array as a text."""
+    packed = zlib.compress(np.ascontiguousarray(numbers, dtype="<f4").tobytes(), 6)
+    return base64.b64encode(packed).decode("ascii")
+
+
+def _unpacked(text):
+    """The numbers of _packed(), in a row."""
+    packed = base64.b64decode(text)
+    return np.frombuffer(zlib.decompress(packed) if packed else b"", dtype="<f4").astype(float)
 
 
 def _from_text(text):
@@ -67,11 +83,13 @@ def _from_text(text):
         told = json.loads(text)
         if told["schema"] > SCHEMA_VERSION:
             return None
-        nodes = np.frombuffer(zlib.decompress(base64.b64decode(told["nodes"])), dtype="<f4")
         return Variant(
             told["name"],
             told["numbers"],
-            nodes.reshape(-1, 3).astype(float),
+            _unpacked(told["nodes"]).reshape(-1, 3),
+            # Not kept at first.
+            _unpacked(told.get("member_forces", "")),
+            _unpacked(told.get("reactions", "")).reshape(-1, 3),
             base64.b64decode(told["thumbnail"]),
             told["inputs"],
             tuple(told["source"]),
@@ -106,6 +124,8 @@ def keep_variant(shell, name, form=None, compression_only=None, thumbnail=b""):
         name,
         numbers,
         form.nodes,
+        form.member_forces,
+        form.reactions,
         bytes(thumbnail),
         _inputs_of(shell),
         (source[0].Name, list(source[1])) if source else (),

@@ -299,10 +299,12 @@ class GridshellPanel:
     def _edited(self):
         for column in self._columns:
             column.show_what_counts()
+        self.session.awaited.add("typing")
         self._pause.start()
 
     def _typed(self):
         """Typing has ended for now."""
+        self.session.awaited.discard("typing")
         self.session.change()
         self._say_what_is_unreadable()
 

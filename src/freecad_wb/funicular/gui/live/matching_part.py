@@ -55,11 +55,15 @@ class MatchingPart(QtWidgets.QWidget):
 
     def _ask(self, rounds):
         self._set_rounds(rounds)
-        self._background.stop()
+        self._stop()
         self._of = None
         self._text.setText("")
         self._show_buttons()
         self._session.change()
+
+    def _stop(self):
+        self._background.stop()
+        self._session.awaited.discard("matching")
 
     def _show_buttons(self):
         self._undo.setEnabled(self._session.shell.LengthMatching > 0)
@@ -71,20 +75,23 @@ class MatchingPart(QtWidgets.QWidget):
         if not moment.ended or moment.scene is self._matched or moment.scene is self._of:
             return
         self._of = moment.scene
-        self._background.stop()
+        self._stop()
         if rounds <= 0 or moment.result.status != "converged":
             self._text.setText(_deviation_text(moment))
             return
         self._text.setText(translate("Matching lengths, {} rounds").format(rounds))
+        self._session.awaited.add("matching")
         method, accuracy = self._session.shell.Method.lower(), self._session.accuracy
         self._background.ask(lambda is_wanted: _match(moment, rounds, accuracy, method, is_wanted))
 
     def _found(self, matched):
+        self._session.awaited.discard("matching")
         if isinstance(matched, str):
             self._text.setText(matched)
             return
         if not self._session.solve_scene(matched.scene, self._of):
             # What it was asked of has been changed since: the form that comes of that will be matched.
+            self._text.setText("")
             return
         self._matched = matched.scene
         before, after = matched.deviations[0], matched.deviations[matched.best_round]

@@ -27,7 +27,8 @@ class Session(QtCore.QObject):
     first. own_form: that of the gridshell itself, while another one is looked at. moment: the
     funicular.live.Moment that it goes to. frame_seconds: what the latest frames took of the processor,
     that of whoever listens to `moved` included. accuracy: [m], as it was last taken up. problem: why the
-    properties make no scene, else "".
+    properties make no scene, else "". awaited: set of who still has something to add to what the properties
+    say, or to what came of it.
 
     A part that changes a property of the gridshell, its net or its supports calls change(); it may do so as
     often as it likes, for what has changed is taken up once a frame.
@@ -50,7 +51,7 @@ class Session(QtCore.QObject):
         self.shell = shell
         self.own_form = self.moment = self._other = self._goal = None
         self.frame_seconds = deque(maxlen=KEPT_FRAMES)
-        self.watched, self.accuracy, self.problem = False, 1e-3, ""
+        self.watched, self.accuracy, self.problem, self.awaited = False, 1e-3, "", set()
         self._net = self._laid = self._live = self._pace = self._scene = None
         self._exaggeration, self._exaggerated = 1.0, None
         self._changed = self._stopped = False
@@ -155,6 +156,17 @@ class Session(QtCore.QObject):
     def is_settled(self):
         """Whether what is shown is the end of a solve of what the properties say."""
         return not (self._timer.isActive() or self.is_paused or self._changed) and self.moment is not None
+
+    @property
+    def is_result(self):
+        """Whether what is shown has converged, and is what the properties say."""
+        is_on_the_way = self._timer.isActive() or self._changed or self.problem or self.awaited
+        return (
+            not is_on_the_way
+            and self.moment is not None
+            and self.moment.ended
+            and self.moment.result.status == "converged"
+        )
 
     @property
     def chart(self):

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Alternatives: keep what is there, flick between what was kept, compare two in numbers, take one again."""
 
-from dataclasses import replace
-
 from funicular.features.variants import (
     keep_variant,
     remove_variant,
@@ -10,7 +8,7 @@ from funicular.features.variants import (
     restore_variant,
     variants_of,
 )
-from funicular.form import numbers_of
+from funicular.form import numbers_of, other_form
 from funicular.gui.lengths import length_in_words
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
 from funicular.gui.texts import WrappedText
@@ -72,6 +70,8 @@ class VariantsPart(QtWidgets.QWidget):
     def __init__(self, session, thumbnail, after_restore):
         super().__init__()
         self._session, self._thumbnail, self._after_restore = session, thumbnail, after_restore
+        # The fn.Scene of the present form when an alternative was chosen beside it.
+        self._scene = None
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
@@ -137,6 +137,8 @@ class VariantsPart(QtWidgets.QWidget):
         self.says.setObjectName("VariantSays")
         column.addWidget(self.says)
         self._list()
+        session.came.connect(self._came)
+        session.rested.connect(self._compare)
 
     def eventFilter(self, watched, event):
         # Esc returns to the present form, and leaves the panel open.
@@ -152,7 +154,7 @@ class VariantsPart(QtWidgets.QWidget):
 
     def _keep(self):
         session = self._session
-        if session.form is None or session.moment.certificate is None:
+        if not session.is_result:
             self.says.setText(translate("Wait until the form has settled, then keep it."))
             return
         self.strip.clearSelection()
@@ -214,9 +216,20 @@ class VariantsPart(QtWidgets.QWidget):
         names = {item.data(QtCore.Qt.UserRole) for item in self.strip.selectedItems()}
         return [variant for variant in variants_of(self._session.shell) if variant.name in names]
 
+    def _came(self):
+        """The present form has changed, and is what is shown again."""
+        if self._session.moment.scene is not self._scene and len(self.strip.selectedItems()) == 1:
+            self.strip.clearSelection()
+
     def _chosen(self):
-        chosen = self._selected()
+        chosen, moment = self._selected(), self._session.moment
+        self._scene = None if moment is None else moment.scene
         self._show(chosen[-1] if len(chosen) == 1 else None)
+        self._compare()
+
+    def _compare(self):
+        """Fill the table with the numbers of what is chosen."""
+        chosen = self._selected()
         form = self._session.own_form
         if len(chosen) == 1 and form is not None and self._session.moment.certificate is not None:
             present = {
@@ -233,7 +246,7 @@ class VariantsPart(QtWidgets.QWidget):
         if variant is None or form is None:
             self._session.look_at(None)
         elif len(variant.nodes) == len(form.nodes):
-            self._session.look_at(replace(form, nodes=variant.nodes))
+            self._session.look_at(other_form(form, variant.nodes, variant.member_forces, variant.reactions))
         else:
             self._session.look_at(None)
             self.says.setText(translate("{} has another net: restore it to see it.").format(variant.name))
