@@ -88,6 +88,27 @@ def test_a_net_of_other_numbers_begins_as_it_was_laid(live):
     assert at_rest(solve).result.nodes == pytest.approx(fn.solve(scene(net=other)).nodes, abs=2e-3)
 
 
+def test_a_net_of_as_many_nodes_in_other_rows_begins_as_it_was_laid(live):
+    across, along = (
+        lattice.net(np.column_stack([lattice.uv * (6.0, 4.0), 0.0 * lattice.uv[:, 0]]))
+        for lattice in (fn.lattice(12, 8), fn.lattice(8, 12))
+    )
+    solve = live(scene(net=across))
+    at_rest(solve)
+    solve.pause()
+    solve.change(scene(net=along))
+    wait(lambda: solve.latest.scene.net is along, solve)
+    assert solve.latest.result.nodes == pytest.approx(along.nodes)
+    wider = along.lattice.net(along.nodes * (1.5, 1.0, 1.0))
+    solve.change(scene(net=wider))
+    wait(lambda: solve.latest.scene.net is wider, solve)
+    solve.resume()
+    at_rest(solve)
+    solve.change(scene(net=along))
+    wait(lambda: solve.latest.scene.net is along, solve)
+    assert solve.latest.result.nodes[:, 2].max() > 0.1, "what is only wider goes on"
+
+
 def test_paused_it_goes_step_by_step_and_resumed_to_its_end(live):
     solve = live(scene())
     solve.pause()

@@ -23,6 +23,24 @@ WATCHED_GROWTH = 1.03
 MANY = 100  # steps, from which on they are as many as a look has time for
 
 
+# Of two nets whose members lie along each other it is 1, of others about 0.
+ALIKE = 0.8
+
+
+def are_numbered_alike(net, other):
+    """Whether the nodes of two Nets are about the same places, so that a shape of one may become the other's.
+
+    As many nodes may well lie in other rows.
+    """
+    if net is other:
+        return True
+    if len(net.nodes) != len(other.nodes):
+        return False
+    begin, end = net.members.T
+    here, there = (each.nodes[end] - each.nodes[begin] for each in (net, other))
+    return bool(np.vdot(here, there) > ALIKE * np.linalg.norm(here) * np.linalg.norm(there))
+
+
 @dataclass(frozen=True)
 class Moment:
     """What a live solve has come to.
@@ -164,7 +182,7 @@ class LiveSolve:
         self._chart, self._begun = [], time.monotonic()
         if order.scene.net is not self._covers:
             self._cover, self._covers = Cover(order.scene.net), order.scene.net
-        if order.goes_on and nodes is not None and len(nodes) == len(order.scene.net.nodes):
+        if order.goes_on and nodes is not None and are_numbered_alike(before.scene.net, order.scene.net):
             if (order.accuracy, order.method) == (before.accuracy, before.method):
                 self._solver.replace(order.scene)
                 self._look(False)

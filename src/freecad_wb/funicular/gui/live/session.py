@@ -11,7 +11,7 @@ from funicular.features.feature import EXPECTED, reason
 from funicular.features.gridshell import scene_of, solver_options
 from funicular.features.net import net_of
 from funicular.form import form_as_laid, form_of_moment
-from funicular.live import LiveSolve
+from funicular.live import LiveSolve, are_numbered_alike
 from funicular.gui import preferences
 from funicular.gui.drawing.look import exaggeration_of
 from funicular.gui.qt import QtCore
@@ -237,7 +237,9 @@ class Session(QtCore.QObject):
         if moment is None or moment is self.moment:
             return
         self.moment = moment
-        self._goal = form_of_moment(moment) if moment.result is not None else None
+        # The last of a solve before a change may come after it, and be of another net.
+        is_of_net = moment.result is not None and are_numbered_alike(moment.scene.net, self._scene.net)
+        self._goal = form_of_moment(moment) if is_of_net else None
         if moment.error:
             self._fail(moment.error)
         elif not self.problem:
@@ -257,6 +259,7 @@ class Session(QtCore.QObject):
         except (*EXPECTED, ReferenceError) as error:
             self._fail(str(reason(error)))
             return
+        goes_on = self._scene is not None and are_numbered_alike(self._scene.net, scene.net)
         self.problem, self._scene = "", scene
         method = "relaxation" if self.watched else self.shell.Method.lower()
         now = time.monotonic()
@@ -264,7 +267,7 @@ class Session(QtCore.QObject):
             self._live = LiveSolve(scene, self.accuracy, method, self.watched)
         else:
             self._live.change(scene, self.accuracy, method, self.watched)
-        if self._pace is None or len(self._pace.nodes) != len(scene.net.nodes):
+        if not goes_on:
             self._pace, self._goal = Pace(scene.net.nodes, now), None
             # As it was laid, before it bears anything: there is something to see at once.
             self.own_form = form_as_laid(scene.net)
