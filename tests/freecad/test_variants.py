@@ -2,6 +2,7 @@
 """Alternatives kept on a gridshell: they hold what went in and what came out, and cost no solve."""
 
 import FreeCAD as App
+import Part
 import numpy as np
 import pytest
 
@@ -13,7 +14,7 @@ from funicular.features.variants import (
     restore_variant,
     variants_of,
 )
-from funicular.make import make_gridshell, make_support
+from funicular.make import make_gridshell, make_point_load, make_support
 
 
 @pytest.fixture
@@ -46,6 +47,35 @@ def test_what_was_kept_can_be_taken_again(shell, doc):
     assert heights(shell) == pytest.approx(high, abs=1e-9)
     (support,) = shell.Supports
     assert support.Points == [App.Vector(0.5, 0.0, 0)] and support.Stiffness.Value == pytest.approx(2e6)
+
+
+def test_what_another_gridshell_shares_is_not_taken_from_it(shell, doc):
+    part = doc.addObject("App::Part", "Part")
+    part.addObject(shell)
+    keep_variant(shell, "Without")
+    own, shared = make_support(doc, shell, Where="Corners"), make_support(doc, shell, Where="Corners")
+    load = make_point_load(doc, shell, Points=[(0.5, 0.5)])
+    other = make_gridshell(doc, net=shell.Net, SupportRecipe="None")
+    other.Supports, other.PointLoads = [shared], [load]
+    doc.recompute()
+    names = own.Name, shared.Name, load.Name
+    restore_variant(shell, "Without")
+    doc.recompute()
+    assert shell.Supports == shell.PointLoads == []
+    assert [doc.getObject(name) is None for name in names] == [True, False, False]
+    assert other.Supports == [shared] and other.PointLoads == [load] and other.Status == "converged"
+
+
+def test_a_sheet_is_a_sheet_again_after_a_face(shell, doc):
+    keep_variant(shell, "Sheet")
+    face = doc.addObject("Part::Feature", "Face")
+    face.Shape = Part.makePlane(9000, 9000, App.Vector(0, 0, 5000))
+    shell.Net.Source = (face, ["Face1"])
+    doc.recompute()
+    assert restore_variant(shell, "Sheet") == []
+    doc.recompute()
+    assert shell.Net.Source is None and shell.Net.Width.Value == 6000.0
+    assert max(heights(shell)) < 4000.0
 
 
 def test_a_variant_knows_its_numbers_and_its_form(shell):

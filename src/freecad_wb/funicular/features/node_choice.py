@@ -83,6 +83,12 @@ class NodeFeature(Feature):
         """Here there is nothing."""
 
 
+def is_used(obj):
+    """Whether something has use for an object, besides the group or part that holds it."""
+    holders = (obj.getParentGeoFeatureGroup(), obj.getParentGroup())
+    return any(user not in holders for user in obj.InList)
+
+
 def at_picks(shell, elements, points, nodes=None):
     """The properties that say which nodes, where something of a gridshell was picked; else its border.
 

@@ -21,6 +21,7 @@ import funicular as fn
 
 from ..form import numbers_of
 from .form_of import form_of
+from .node_choice import is_used
 
 SCHEMA_VERSION = 1
 
@@ -167,7 +168,8 @@ def restore_variant(shell, name):
     variant = _find(shell, name)
     remarks = _set_inputs(shell, variant.inputs["Gridshell"])
     if shell.Net is not None:
-        remarks += _restore_source(shell.Net, variant.source)
+        if variant.inputs["Net"]:
+            remarks += _restore_source(shell.Net, variant.source)
         remarks += _set_inputs(shell.Net, variant.inputs["Net"])
     for link, make in (("Supports", make_support), ("PointLoads", make_point_load)):
         # One that was kept before there were point loads has none.
@@ -181,7 +183,9 @@ def _restore_listed(shell, link, make, wanted):
     there += [make(shell.Document, shell) for _ in wanted[len(there) :]]
     setattr(shell, link, there[: len(wanted)])
     for obj in there[len(wanted) :]:
-        shell.Document.removeObject(obj.Name)
+        # Another gridshell may share it.
+        if not is_used(obj):
+            shell.Document.removeObject(obj.Name)
     return [remark for obj, inputs in zip(there, wanted) for remark in _set_inputs(obj, inputs)]
 
 
@@ -259,6 +263,9 @@ def _set_inputs(obj, values):
 
 def _restore_source(net, source):
     if not source:
+        # It was a flat sheet, or a mesh file.
+        if net.Source is not None:
+            net.Source = None
         return []
     name, faces = source
     obj = net.Document.getObject(name)

@@ -6,6 +6,7 @@ The steps are the panel's own. FreeCAD's undo knows one step, which is all that 
 
 from dataclasses import dataclass
 
+from funicular.features.node_choice import is_used
 from funicular.features.support import Support, held_by_each
 from funicular.make import make_support
 
@@ -103,7 +104,7 @@ class SupportSteps:
         """Let a Support go: out of the document, unless something else has use for it."""
         key = self._key(support)
         self._shell.Supports = [each for each in self._shell.Supports if each != support]
-        if not support.InList:
+        if not is_used(support):
             self._before_removal(support)
             # Another may come to have its name.
             self._names[key] = ""
