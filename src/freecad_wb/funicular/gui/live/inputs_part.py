@@ -63,6 +63,8 @@ class InputsPart(QtWidgets.QWidget):
     def show_all(self):
         """Show what the properties have become by other hands."""
         for label, row, obj, name in self._rows:
+            # With what could not be read goes that it could not.
+            self._unreadable.pop(name, None)
             show_value(row.findChild(QtWidgets.QWidget, name), obj, name)
             self._follow(obj, name)
         self.show_what_counts()

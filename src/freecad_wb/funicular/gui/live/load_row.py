@@ -88,6 +88,7 @@ class LoadRow(QtWidgets.QWidget):
 
     def show_load(self):
         """Show what the load has become by other hands."""
+        self._unreadable.pop(self.load_name, None)
         show_value(self._force, self.load, "Force")
         self.follow()
         wanted = tuple(self.load.Direction)

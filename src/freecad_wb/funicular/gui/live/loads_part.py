@@ -2,7 +2,7 @@
 """Point loads in the panel: one row each, and a button that puts another on what is picked."""
 
 import funicular as fn
-from funicular.features.node_choice import nodes_of
+from funicular.features.node_choice import is_used, nodes_of
 from funicular.gui.drawing.load_arrows import size_of
 from funicular.gui.drawing.shapes import MILLIMETRES
 from funicular.gui.live.load_row import LoadRow
@@ -31,6 +31,8 @@ class LoadsPart(QtWidgets.QWidget):
         self._unreadable, self._on_edit = unreadable, on_edit
         # (PointLoad, (k,) its nodes) of the scene that is shown, and the largest of their forces.
         self._shown, self._largest, self._scene = [], 0.0, None
+        # View providers whose arrows are led; Cancel brings back one that was taken away meanwhile.
+        self._led = []
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
@@ -63,13 +65,15 @@ class LoadsPart(QtWidgets.QWidget):
                 self._lead(load, False)
         except (ReferenceError, RuntimeError):
             pass  # the gridshell is gone, or the document
+        for proxy in self._led:
+            proxy.is_led = False
         self._session.came.disconnect(self._came)
         self._session.moved.disconnect(self._draw)
         self._session.rested.disconnect(self._rested)
         for row in self._all_rows():
             row.leave()
         self._session = self._where = self._on_edit = None
-        self._unreadable, self._shown = {}, []
+        self._unreadable, self._shown, self._led = {}, [], []
 
     def show_all(self):
         """Show the loads as they are in the document."""
@@ -109,7 +113,10 @@ class LoadsPart(QtWidgets.QWidget):
     def _remove(self, load):
         # Cancel brings it back.
         self._lead(load, False)
-        load.Document.removeObject(load.Name)
+        shell = self._session.shell
+        shell.PointLoads = [each for each in shell.PointLoads if each != load]
+        if not is_used(load):
+            load.Document.removeObject(load.Name)
         self.show_all()
         self._session.change()
 
@@ -129,7 +136,7 @@ class LoadsPart(QtWidgets.QWidget):
         for row in self._all_rows():
             try:
                 nodes = nodes_of(row.load, moment.scene.net)
-            except (fn.InvalidInput, ReferenceError):
+            except (fn.InvalidInput, ReferenceError, RuntimeError):
                 continue  # the state of the panel says it
             self._shown.append((row.load, nodes))
             row.show_count(len(nodes))
@@ -147,21 +154,22 @@ class LoadsPart(QtWidgets.QWidget):
                 # Of another net, until it is said which of this one bear it.
                 points = nodes[loaded[loaded < len(nodes)]]
                 load.ViewObject.Proxy.show(points * MILLIMETRES, place, size * MILLIMETRES, self._largest)
-        except ReferenceError:
+        except (ReferenceError, RuntimeError):
             self._shown = []  # one is gone; the next scene says which are left
 
     def _rested(self):
         for row in self._all_rows():
             try:
                 row.follow()
-            except ReferenceError:
+            except (ReferenceError, RuntimeError):
                 continue  # its load is gone; the next scene says which are left
 
     def _all_rows(self):
         return [self._rows.itemAt(at).widget() for at in range(self._rows.count())]
 
-    @staticmethod
-    def _lead(load, is_led):
+    def _lead(self, load, is_led):
         load.ViewObject.Proxy.is_led = is_led
+        if is_led:
+            self._led.append(load.ViewObject.Proxy)
         if not is_led:
             load.ViewObject.Proxy.refresh(load.ViewObject)
