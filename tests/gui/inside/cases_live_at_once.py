@@ -3,6 +3,7 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import hand
 import pytest
 from cases_live import click, panel_of, sheet, text_of  # noqa: F401 (sheet is a fixture)
 from funicular.features.variants import variants_of
@@ -140,3 +141,61 @@ def panel_box_of_numbers():
     return next(
         widget for widget in QtWidgets.QApplication.allWidgets() if widget.objectName() == "VariantNumbers"
     )
+
+
+def test_restoring_leaves_nothing_of_what_was_before(opened):
+    from funicular.make import make_point_load
+
+    wait_for_rest(opened)
+    click(QtWidgets.QToolButton, "SectionAlternatives")
+    wait_until(lambda: session_of(opened).is_result, "a form at rest")
+    click(QtWidgets.QPushButton, "KeepThis")
+    press("Ok")
+    load = make_point_load(opened.Document, opened, Points=[(0.5, 0.5)])
+    opened.Document.recompute()
+    name = load.Name
+    opened.ViewObject.Proxy.doubleClicked(opened.ViewObject)
+    wait_for_rest(opened)
+    supports = panel_of(opened).supports
+    supports.picks.add([0, 1])
+    supports.hold("Fixed")
+    assert supports.steps.can_undo
+    type_into(panel_box("CoveringWeight"), "heavy")
+    wait_until(lambda: "heavy" in result_line(), "a sentence")
+    panel_box("Variants").item(0).setSelected(True)
+    click(QtWidgets.QPushButton, "RestoreVariant")
+    wait_until(lambda: result_line().startswith("✔"), "what was kept")
+    assert panel_box("CoveringWeight").text() == "30 kg/m²" and not panel_of(opened)._unreadable
+    assert opened.Supports == opened.PointLoads == []
+    assert not supports.steps.can_undo, "of supports that there are no more"
+    press("Cancel")
+    load = opened.Document.getObject(name)
+    assert opened.PointLoads == [load] and not load.ViewObject.Proxy.is_led, "its arrows follow the document"
+
+
+def test_keys_of_another_document_are_its_own(opened):
+    wait_for_rest(opened)
+    supports = panel_of(opened).supports
+    supports.picks.add([0, 1])
+    supports.hold("Fixed")
+    other = App.newDocument("Other")
+    settle()
+    hand.shortcut(hand.viewport(), QtCore.Qt.Key_Z)
+    assert len(opened.Supports) == 1
+    App.closeDocument(other.Name)
+    App.setActiveDocument(opened.Document.Name)
+    Gui.ActiveDocument = Gui.getDocument(opened.Document.Name)
+    settle()
+    hand.shortcut(hand.viewport(), QtCore.Qt.Key_Z)
+    assert opened.Supports == []
+    press("Cancel")
+
+
+def test_what_cannot_be_edited_leaves_no_transaction_open(opened):
+    press("Ok")
+    opened.Net = opened.Document.addObject("Part::Box", "Box")
+    clear_report_view()
+    opened.ViewObject.Proxy.doubleClicked(opened.ViewObject)
+    settle()
+    assert not Gui.Control.activeDialog() and App.getActiveTransaction() is None
+    assert "Net is Box, which is not a Net" in report_view()

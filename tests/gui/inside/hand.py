@@ -77,3 +77,10 @@ def key(widget, code, modifiers=QtCore.Qt.NoModifier):
     for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
         QtWidgets.QApplication.sendEvent(widget, QtGui.QKeyEvent(kind, code, modifiers, text))
     settle()
+
+
+def shortcut(widget, code):
+    """Press Ctrl and a key where whoever has it for a shortcut is asked for it."""
+    event = QtGui.QKeyEvent(QtCore.QEvent.ShortcutOverride, code, QtCore.Qt.ControlModifier)
+    QtWidgets.QApplication.sendEvent(widget, event)
+    settle()

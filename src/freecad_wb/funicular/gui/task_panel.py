@@ -102,10 +102,6 @@ class GridshellPanel:
         # Sentences on inputs that cannot be read, by property.
         self._unreadable, self._says_unreadable = {}, False
         self._columns, self._scene, self._is_to_fit = [], None, False
-        if transaction is None:
-            self._document.openTransaction(translate("Edit gridshell"))
-            transaction = active_transaction()
-        self._transaction = transaction
         self._pause = QtCore.QTimer()
         self._pause.setSingleShot(True)
         self._pause.setInterval(PAUSE_MS)
@@ -125,6 +121,11 @@ class GridshellPanel:
         self.session.failed.connect(self._failed)
         self._in_dialog = True
         self.form.destroyed.connect(self._form_destroyed)
+        # Last, for whatever cannot be shown would leave it open.
+        if transaction is None:
+            self._document.openTransaction(translate("Edit gridshell"))
+            transaction = active_transaction()
+        self._transaction = transaction
         FreeCAD.addDocumentObserver(self)
 
     # What FreeCAD calls
@@ -286,6 +287,7 @@ class GridshellPanel:
         for column in self._columns:
             column.show_all()
         self.loads.show_all()
+        self.supports.forget_steps()
 
     def _source_button(self):
         button = QtWidgets.QPushButton(translate("Use selected faces"))
@@ -408,6 +410,9 @@ def edit(shell, transaction=None):
     """
     if FreeCADGui.Control.activeDialog():
         report(translate("Another dialog is open in the task panel. Close it, then edit the gridshell."))
+        return None
+    if shell.Net is not None and getattr(shell.Net, "FunicularType", "") != "Net":
+        report(f"Net is {shell.Net.Label}, which is not a Net: set it to a Net of this document")
         return None
     panel = GridshellPanel(shell, transaction)
     FreeCADGui.Control.showDialog(panel)

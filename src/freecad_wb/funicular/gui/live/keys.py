@@ -17,11 +17,13 @@ class Keys(QtCore.QObject):
     ----------
     escape, undo, redo : callable() -> bool
         True says that the key was taken.
+    is_meant : callable(widget) -> bool
+        Whether a key in this widget may be the panel's.
     """
 
-    def __init__(self, escape, undo, redo):
+    def __init__(self, escape, undo, redo, is_meant):
         super().__init__()
-        self._escape = escape
+        self._escape, self._is_meant = escape, is_meant
         self._shortcuts = ((QtGui.QKeySequence.Undo, undo), (QtGui.QKeySequence.Redo, redo))
         self._is_taken = False
         QtWidgets.QApplication.instance().installEventFilter(self)
@@ -32,7 +34,7 @@ class Keys(QtCore.QObject):
         self.deleteLater()
 
     def eventFilter(self, watched, event):
-        if event.type() not in KEYS or not _is_in_window(watched):
+        if event.type() not in KEYS or not _is_in_window(watched) or not self._is_meant(watched):
             return False
         if event.type() == QtCore.QEvent.ShortcutOverride:
             return not isinstance(watched, WITH_TEXT) and self._is_shortcut_taken(event)

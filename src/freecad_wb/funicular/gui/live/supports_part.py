@@ -25,7 +25,7 @@ from funicular.gui.picking import WrongSelection
 from funicular.gui.qt import translate
 from funicular.gui.texts import WRONG
 from funicular.held import held_of
-
+from funicular.live import are_numbered_alike
 
 MILLIMETRE = 1e-3  # [m]
 CLOSE = 18.0  # [px] from node to node
@@ -46,6 +46,7 @@ class SupportsPart(SupportsForm):
         # As held_by_each(), the fn.Net that it is of, and the fn.Scene; (SwitchNode, what it showed) of
         # supports by their names.
         self._held, self._net, self._scene, self._hidden = [], None, None, {}
+        self._document_name = self._shell.Document.Name
         # What a support was before it was freed by the slider.
         self._kinds_before = {}
         self._hovered, self._are_close = (), False
@@ -58,7 +59,7 @@ class SupportsPart(SupportsForm):
         self.tools.raised.connect(self._raise)
         self.tools.changed.connect(lambda: self.show_tool(self.tools.tool))
         pointer.add(self.tools)
-        self._keys = Keys(self._escape, self._undo, self._redo)
+        self._keys = Keys(self._escape, self._undo, self._redo, self._is_in_front)
         session.came.connect(self._came)
         session.moved.connect(self._draw)
         self.list.chosen.connect(self._chosen)
@@ -88,7 +89,7 @@ class SupportsPart(SupportsForm):
     def _came(self):
         net = self._session.source_net
         if net is not self._net:
-            if self._net is None or len(net.nodes) != len(self._net.nodes):
+            if self._net is None or not are_numbered_alike(self._net, net):
                 self.picks.clear()
             self._net = net
         self.stiffness.set_mean_load(self._session.load_and_size[0] / len(net.nodes))
@@ -220,6 +221,21 @@ class SupportsPart(SupportsForm):
         self.show_steps(self.steps)
         self._take_held()
         self._session.change()
+
+    def forget_steps(self):
+        """Others have changed the supports: what was done by hand before cannot be taken back by itself."""
+        for name in set(self._hidden) - {support.Name for support in self._shell.Supports}:
+            # Another may come to have its name.
+            switch, was = self._hidden.pop(name)
+            switch.whichChild = was
+        self.steps = SupportSteps(self._shell, self._show_shape)
+        self._kinds_before = {}
+        self.show_steps(self.steps)
+
+    def _is_in_front(self, widget):
+        """Whether a key in a widget is meant for the document of the panel, and not for another one."""
+        active = FreeCADGui.activeDocument()
+        return self.isAncestorOf(widget) or (active and active.Document.Name == self._document_name)
 
     def _undo(self):
         return self._back_or_on(self.steps.can_undo, self.steps.undo)
