@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel while several things happen at once, or with what cannot be solved: nothing is shown that is not so."""
+"""The panel while several things happen at once, or with what cannot be solved: what it shows is so."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -10,7 +10,6 @@ from funicular.features.variants import variants_of
 from window import (
     QtCore,
     QtWidgets,
-    child,
     clear_report_view,
     panel_box,
     press,

@@ -21,7 +21,8 @@ TIMES = 4.0
 # Amounts that count in multiples: from and to, in multiples of a measure of the scene.
 STIFFNESS = (1.0, 1e4)  # of all loads: what is softer hardly stands, what is stiffer hardly stretches
 ACCURACY = (1e-7, 3e-3)  # of the size of the net
-# Where neither the scene nor what they were says anything: in FreeCAD's own units, 1 kN to 100 MN, 1 µm to 1 cm.
+# Where neither the scene nor what they were says anything, in FreeCAD's own units: 1 kN to 100 MN, 1 µm to
+# 1 cm.
 WITHOUT_MEASURE = {"AxialStiffness": (1e6, 1e11), "Accuracy": (1e-3, 10.0)}
 
 # Amounts that start at nothing, and reach to a part of all loads as they are first known.
