@@ -110,6 +110,20 @@ class TestSeamsAndPoles:
         assert turns[0] <= 0.3 <= turns[-1]
 
 
+class TestCurvedEdges:
+    def test_a_crest_is_on_its_edge_after_a_window_has_drawn_the_source(self, doc):
+        vault = feature(doc, Part.makeCylinder(6000, 9000, V(), V(0, 1, 0), 180).Faces[0])
+        arcs = [
+            f"Edge{k}" for k, edge in enumerate(vault.Shape.Edges, 1) if isinstance(edge.Curve, Part.Circle)
+        ]
+        vault.Shape.tessellate(500)
+        shell = make_gridshell(doc, vault, StepU=590, StepV=590, SupportRecipe="None")
+        support = make_support(doc, shell, Elements=arcs)
+        assert recompute(doc) == {}
+        nodes = array(shell.Net.SourceNodes)
+        assert len(support.HeldNodes) == np.sum((nodes[:, 1] < 1) | (nodes[:, 1] > 8999)) == 2 * 33
+
+
 class TestHoles:
     def test_a_skylight_is_no_support(self, doc, plate):
         shell = make_gridshell(doc, plate)

@@ -47,7 +47,8 @@ def _of_faces(elements, wanted):
 
 def _along(edge, nodes, limit):
     """Nodes on an edge, by their parameter."""
-    box = edge.BoundBox
+    # Of a copy, which has no triangles: those that a window has drawn would cut off the crests of a curve.
+    box = edge.copy().BoundBox
     low = np.array([box.XMin, box.YMin, box.ZMin]) - limit
     high = np.array([box.XMax, box.YMax, box.ZMax]) + limit
     near = np.flatnonzero(((nodes >= low) & (nodes <= high)).all(axis=1))
