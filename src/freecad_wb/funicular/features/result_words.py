@@ -2,6 +2,9 @@
 """What a result is, in a sentence: in the document, in the panel, in the report view."""
 
 import FreeCAD as App
+import numpy as np
+
+import funicular as fn
 
 from ..panels import Cover
 from ..wording import force_text, number, short_length_text
@@ -38,7 +41,7 @@ def sentence_of(scene, result, certificate, left=None):
 
     left: what panels.Cover.left() says of the result, for who has it already.
     """
-    sentences = [_forces(result, certificate), distance_text(result.position_error)]
+    sentences = [_forces(scene, result, certificate), distance_text(result.position_error)]
     sentences.append(
         translate("Funicular", "{} total, balanced to {:.0e}").format(
             force_text(-certificate.total_load[2]), max(certificate.balance, 1e-16)
@@ -75,12 +78,21 @@ def stretch_of(scene, result):
     return float((result.member_lengths / scene.net.source_lengths).max())
 
 
-def _forces(result, certificate):
+def slack_of(scene, certificate):
+    """Numbers of the slack members but those between two fixed nodes, where none could carry anything."""
+    fixed = np.zeros(len(scene.net.nodes), dtype=bool)
+    for support in scene.supports:
+        fixed[support.ids] |= isinstance(support, fn.Fixed)
+    slack = np.asarray(certificate.slack_members, dtype=int)
+    return slack[~fixed[scene.net.members[slack]].all(axis=1)].tolist()
+
+
+def _forces(scene, result, certificate):
     if certificate.compression_only:
         words = translate("Funicular", "Compression only, at most {}").format(
             force_text(-result.member_forces.min())
         )
-        slack = len(certificate.slack_members)
+        slack = len(slack_of(scene, certificate))
         return words + (translate("Funicular", ", {} slack").format(slack) if slack else "")
     if len(certificate.tension_members):
         return translate("Funicular", "{} of {} members in tension, at most {}").format(

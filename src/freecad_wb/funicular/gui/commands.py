@@ -54,7 +54,8 @@ class GridshellCommand(Command):
         return bool(faces or nets)
 
     def Activated(self):
-        from funicular.gui.task_panel import active_transaction, show_message
+        from funicular.gui.messages import show_message
+        from funicular.gui.task_panel import active_transaction
 
         try:
             source, net = the_source()
@@ -103,7 +104,8 @@ class SheetCommand(Command):
         return not FreeCADGui.Control.activeDialog()
 
     def Activated(self):
-        from funicular.gui.task_panel import active_transaction, show_message
+        from funicular.gui.messages import show_message
+        from funicular.gui.task_panel import active_transaction
         from funicular.make import make_gridshell
 
         document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
@@ -157,7 +159,7 @@ class SupportCommand(Command):
 
     def Activated(self):
         from funicular.features.node_choice import at_picks
-        from funicular.gui.task_panel import show_message
+        from funicular.gui.messages import show_message
         from funicular.make import make_support
 
         try:
@@ -200,7 +202,7 @@ class CoveringCommand(Command):
         return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
 
     def Activated(self):
-        from funicular.gui.task_panel import show_message
+        from funicular.gui.messages import show_message
         from funicular.make import make_covering
 
         try:
@@ -233,7 +235,7 @@ class AccuracyStudyCommand(Command):
         return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
 
     def Activated(self):
-        from funicular.gui.task_panel import show_message
+        from funicular.gui.messages import show_message
 
         try:
             shell = the_gridshell()

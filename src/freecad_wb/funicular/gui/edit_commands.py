@@ -72,7 +72,7 @@ class RaiseCommand(Command):
 
 def _edit_picked(title, changes):
     """Sets what changes(*picked parts) says of the Net, recomputed, in one undo step; or says why not."""
-    from funicular.gui.task_panel import show_message
+    from funicular.gui.messages import show_message
 
     try:
         parts = picked_parts()

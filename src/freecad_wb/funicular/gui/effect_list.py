@@ -46,6 +46,13 @@ class EffectList(QtWidgets.QWidget):
         self._button.setEnabled(True)
         self._text.hide()
 
+    def end(self):
+        """End a measurement that goes on: whether there was one."""
+        is_measuring = not self._button.isEnabled()
+        if is_measuring:
+            self.stop()
+        return is_measuring
+
     def _measure(self):
         try:
             scene, accuracy = self._scene_of_shell()

@@ -37,7 +37,7 @@ def show():
     """Open the guide, or bring it to the front. Returns its window."""
     global _window
     if not os.path.isfile(funicular_locate.GUIDE):
-        from funicular.gui.task_panel import show_message
+        from funicular.gui.messages import show_message
 
         show_message(
             translate("The guide is missing: {}. Install the addon again.").format(funicular_locate.GUIDE)

@@ -140,6 +140,22 @@ def make_input(obj, name, on_change, on_error):
     return widget
 
 
+class InputLabel(QtWidgets.QLabel):
+    """What stands beside an input: it explains it, leads the keyboard there, and a click on it ticks a box."""
+
+    def __init__(self, text, box):
+        super().__init__(text)
+        self._box = box
+        self.setBuddy(box)
+        self.setToolTip(box.toolTip())
+
+    def mousePressEvent(self, event):
+        if isinstance(self._box, CheckBox) and event.button() == QtCore.Qt.LeftButton:
+            self._box.click()
+        else:
+            super().mousePressEvent(event)
+
+
 def show_value(widget, obj, name):
     """Let a widget of make_input() show what the property has become, without taking it for an edit."""
     value = getattr(obj, name)

@@ -49,7 +49,7 @@ class PointLoadCommand(Command):
         return not FreeCADGui.Control.activeDialog() and len(selected_gridshells()) == 1
 
     def Activated(self):
-        from funicular.gui.task_panel import show_message
+        from funicular.gui.messages import show_message
         from funicular.make import make_point_load
 
         try:

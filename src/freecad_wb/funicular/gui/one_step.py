@@ -4,7 +4,7 @@
 
 def in_one_step(document, title, change):
     """The objects that change() returns, recomputed; None, and a message, where one comes to nothing."""
-    from funicular.gui.task_panel import show_message
+    from funicular.gui.messages import show_message
 
     document.openTransaction(title)
     try:

@@ -8,9 +8,11 @@ is computed once, by OK.
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 
 from funicular.features.gridshell import METRES
 from funicular.gui.drawing.net_drawing import NetDrawing
+from funicular.gui.drawing.standpoint import rotation_of
 from funicular.gui.effect_list import EffectList
 from funicular.gui.icons import icon
 from funicular.gui.inputs import SECTIONS
@@ -19,6 +21,7 @@ from funicular.gui.load_command import where_selected
 from funicular.gui.live.colours_part import ColoursPart
 from funicular.gui.live.hover import Hover
 from funicular.gui.live.inputs_part import InputsPart
+from funicular.gui.live.keys import Keys, PanelForm
 from funicular.gui.live.loads_part import LoadsPart
 from funicular.gui.live.look_part import LookPart
 from funicular.gui.live.matching_part import MatchingPart
@@ -28,7 +31,8 @@ from funicular.gui.live.section import Section
 from funicular.gui.live.session import Session
 from funicular.gui.live.state_part import StatePart
 from funicular.gui.live.supports_part import SupportsPart
-from funicular.gui.live.variants_part import VariantsPart, picture_of_view
+from funicular.gui.live.variants_part import VariantsPart
+from funicular.gui.messages import report
 from funicular.gui.picking import (
     WrongSelection,
     are_edges_source,
@@ -38,7 +42,8 @@ from funicular.gui.picking import (
 )
 from funicular.gui.price_tag import PriceTag
 from funicular.gui.qt import QtCore, QtGui, QtWidgets, translate
-from funicular.gui.texts import WRONG, ResultLine
+from funicular.gui.texts import BUSY, DOUBTFUL, WRONG
+from funicular.gui.thumbnail import net_picture
 
 # After the last keystroke: half-typed values are no steps to lay a net by, nor anything to be told about.
 PAUSE_MS = 300
@@ -47,36 +52,6 @@ QUIET_MS = 600
 
 # Sections that fold, as they come: what is changed most stands open.
 FOLDED_AT_FIRST = ("MoreOfTheNet", "PointLoads", "View", "ColoursAndReadings", "Alternatives")
-
-
-def report(sentence):
-    """Write an error to FreeCAD's report view."""
-    FreeCAD.Console.PrintError(f"Funicular: {sentence}\n")
-
-
-def show_message(sentence):
-    """Say what is wrong in the report view and, if no other panel is open, in a panel of its own."""
-    report(sentence)
-    if not FreeCADGui.Control.activeDialog():
-        FreeCADGui.Control.showDialog(MessagePanel(sentence))
-
-
-class MessagePanel:
-    """A sentence and a Close button, where there is nothing to edit."""
-
-    def __init__(self, sentence):
-        line = ResultLine()
-        line.say(WRONG, sentence)
-        self.form = line
-        self.form.setWindowTitle(translate("Funicular"))
-        self.form.setWindowIcon(QtGui.QIcon(icon("Funicular")))
-
-    def getStandardButtons(self):
-        return QtWidgets.QDialogButtonBox.Close
-
-    def reject(self):
-        FreeCADGui.Control.closeDialog()
-        return True
 
 
 def active_transaction():
@@ -114,6 +89,7 @@ class GridshellPanel:
         self.pointer = Pointer(self._document, shell.getGlobalPlacement)
         self.form = self._build()
         self.drawing = NetDrawing(shell.ViewObject)
+        self._keys = Keys(self._escape, self.supports.undo, self.supports.redo, self._is_in_front)
         self.hover = Hover(self.session, self.pointer)
         self.session.moved.connect(self._draw)
         self.session.rested.connect(self.drawing.rest)
@@ -207,12 +183,12 @@ class GridshellPanel:
     # The form
 
     def _build(self):
-        form = QtWidgets.QWidget()
+        form = PanelForm(self._entered)
         form.setWindowTitle(translate("Gridshell"))
         form.setWindowIcon(QtGui.QIcon(icon("Funicular_Gridshell")))
         column = QtWidgets.QVBoxLayout(form)
         column.setContentsMargins(0, 0, 0, 0)
-        self.state = StatePart(self.session, self._show_these)
+        self.state = StatePart(self.session, self._show_these, lambda change: self.supports.do(change))
         column.addWidget(self.state)
         self.motion = MotionPart(self.session)
         column.addWidget(self.motion)
@@ -264,7 +240,7 @@ class GridshellPanel:
         self.colours = ColoursPart(self.session, self._unreadable)
         self._columns.append(self.colours)
         yield "ColoursAndReadings", translate("Colours and readings"), self.colours
-        self.variants = VariantsPart(self.session, picture_of_view(self._view), self._show_inputs)
+        self.variants = VariantsPart(self.session, self._thumbnail, self._looks_at, self._show_inputs)
         yield "Alternatives", translate("Alternatives"), self.variants
 
     def _where_picked(self):
@@ -278,6 +254,21 @@ class GridshellPanel:
         form = self.session.own_form
         return where_selected(self._shell, None if form is None else form.nodes / METRES)
 
+    def _thumbnail(self, width, height):
+        """A PNG picture of the form in its colours, seen as the 3D view sees it."""
+        vobj, form = self._shell.ViewObject, self.session.form
+        colours = vobj.Proxy.colour(vobj, form).colours(vobj.LineColor)
+        placement = np.array(self._shell.getGlobalPlacement().toMatrix().A).reshape(4, 4)[:3, :3]
+        return net_picture(form, colours, rotation_of(self._view()) @ placement, width, height)
+
+    def _looks_at(self, name):
+        if name:
+            self.state.line.say(
+                BUSY, translate("{} is shown, as it was kept. Esc shows the present form again.").format(name)
+            )
+        else:
+            self.state.show_moment()
+
     def _view(self):
         """The 3D view of the document."""
         return FreeCADGui.getDocument(self._document.Name).ActiveView
@@ -288,6 +279,7 @@ class GridshellPanel:
             column.show_all()
         self.loads.show_all()
         self.supports.forget_steps()
+        self.state.warnings.forget()
 
     def _source_button(self):
         button = QtWidgets.QPushButton(translate("Use selected faces"))
@@ -309,6 +301,38 @@ class GridshellPanel:
         self.session.awaited.discard("typing")
         self.session.change()
         self._say_what_is_unreadable()
+
+    def _entered(self):
+        """The Enter key: what was typed counts at once."""
+        if self._pause.isActive():
+            self._pause.stop()
+            self._typed()
+
+    def _escape(self):
+        """The Esc key ends what is under way, one thing at a time; the panel only where that loses nothing.
+
+        Returns whether it was taken: FreeCAD ends the panel otherwise.
+        """
+        things = (
+            self.supports.lay_down_tool,
+            self.variants.look_away,
+            self.matching.end,
+            self.effects.end,
+            self.session.end_solving,
+        )
+        if any(end() for end in things):
+            self.motion.show_motion()
+            return True
+        if self.session.is_changed:
+            self.state.line.say(
+                DOUBTFUL, translate("Esc takes nothing back: press Cancel for that, or OK to keep it.")
+            )
+        return self.session.is_changed
+
+    def _is_in_front(self, widget):
+        """Whether a key in a widget is meant for the document of the panel, and not for another one."""
+        active = FreeCADGui.activeDocument()
+        return self.form.isAncestorOf(widget) or (active and active.Document == self._document)
 
     def _say_what_is_unreadable(self):
         """What cannot be read stands before what was found without it."""
@@ -369,6 +393,8 @@ class GridshellPanel:
             # What was measured is of another one.
             self._scene = moment.scene
             self.effects.stop()
+            # Of what had been shown, it may be no more so, and numbers may mean other members.
+            self.drawing.highlight.choose()
         # A price is found by solving: it would take its time from what moves.
         self.price.stop()
         self._quiet.start()
@@ -389,6 +415,7 @@ class GridshellPanel:
         """Stop following the document, which may be about to go; returns it."""
         self._pause.stop()
         self._quiet.stop()
+        self._keys.stop()
         self.session.stop()
         self.supports.leave()
         self.hover.leave()

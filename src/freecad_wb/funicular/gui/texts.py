@@ -25,17 +25,20 @@ class WrappedText(QtWidgets.QLabel):
         self.setAlignment(QtCore.Qt.AlignTop | QtCore.Qt.AlignLeft)
 
     def set_colour(self, kind):
-        """The colour of GOOD, DOUBTFUL, WRONG or BUSY, as it can be read on this window."""
+        """The colour of GOOD, DOUBTFUL, WRONG or BUSY, as it can be read on this window.
+
+        None: that of other text.
+        """
         self._kind = kind
         self._colour()
 
     def _colour(self):
-        if self._kind is None:
-            return
-        _, on_light, on_dark = self._kind
-        # By the ink: a style sheet tells the palette nothing of the paper. The parent's: ours is coloured.
-        ink = (self.parentWidget() or self).palette().color(QtGui.QPalette.WindowText)
-        style = f"color: {on_dark if ink.lightness() > 127 else on_light}"
+        style = ""
+        if self._kind is not None:
+            _, on_light, on_dark = self._kind
+            # By the ink: a style sheet tells the palette nothing of the paper. The parent's: ours has one.
+            ink = (self.parentWidget() or self).palette().color(QtGui.QPalette.WindowText)
+            style = f"color: {on_dark if ink.lightness() > 127 else on_light}"
         if style != self.styleSheet():
             self.setStyleSheet(style)
 

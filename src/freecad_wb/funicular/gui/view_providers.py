@@ -11,12 +11,12 @@ from funicular.features.section import SECTION_PROPERTIES
 from funicular.gui import legend, solving
 from funicular.gui.colouring import NAMES as COLOURING
 from funicular.gui.colouring import Coloured, add_colouring, colouring_of, is_complete, migrate_colouring
-from funicular.gui.drawing.load_arrows import LONGEST, LoadArrows, size_of
+from funicular.gui.drawing.load_arrows import LONGEST, LoadArrows
 from funicular.gui.drawing.reaction_arrows import ReactionArrows
 from funicular.gui.drawing.look import NAMES as LOOK
 from funicular.gui.drawing.look import add_look, exaggeration_of, look_of
 from funicular.gui.drawing.net_drawing import NetDrawing
-from funicular.gui.drawing.shapes import MILLIMETRES
+from funicular.gui.drawing.shapes import MILLIMETRES, longest_side
 from funicular.gui.drawing.surfaces import TIMBER
 from funicular.gui.icons import icon
 from funicular.gui.picking import clicked_object
@@ -164,7 +164,7 @@ class ViewProviderPointLoad(ViewProvider):
         else:
             nodes, place = positions_of(load.Net), FreeCAD.Placement()
         loaded = np.asarray(load.LoadedNodes, dtype=int)
-        self.show(nodes[loaded[loaded < len(nodes)]], place, size_of(nodes), largest)
+        self.show(nodes[loaded[loaded < len(nodes)]], place, longest_side(nodes), largest)
 
     def show(self, points, place, size, largest):
         """Draw it at other points (k, 3) [mm].

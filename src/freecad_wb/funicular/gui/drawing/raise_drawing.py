@@ -5,6 +5,7 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
+from funicular.gui.drawing.shapes import set_field
 from funicular.gui.qt import QtCore, QtGui
 
 NAME = "Funicular_raise"
@@ -44,12 +45,12 @@ class RaiseDrawing:
             self._vobj.RootNode.addChild(self._root)
             self._shown = True
         top = base + (0.0, 0.0, height)
-        _set(self._way.point, [tuple(base), tuple(top)])
-        _set(
+        set_field(self._way.point, [tuple(base), tuple(top)])
+        set_field(
             self._members.point,
             np.stack([np.broadcast_to(top, neighbours.shape), neighbours], 1).reshape(-1, 3).tolist(),
         )
-        _set(self._lines.numVertices, [2] * len(neighbours))
+        set_field(self._lines.numVertices, [2] * len(neighbours))
         self._place.translation = tuple(top)
         picture = _picture(text, FreeCADGui.getMainWindow().devicePixelRatioF())
         rows = bytes(picture.mirrored(False, True).constBits())
@@ -86,8 +87,3 @@ def _picture(text, ratio):
     painter.drawText(box, QtCore.Qt.AlignCenter, text)
     painter.end()
     return picture
-
-
-def _set(field, values):
-    field.setValues(0, len(values), values)
-    field.setNum(len(values))

@@ -4,8 +4,8 @@
 import numpy as np
 from pivy import coin
 
-from funicular.arrows import LONGEST, POINTS, arrow_lines, arrow_points
-from funicular.gui.drawing.shapes import MILLIMETRES
+from funicular.arrows import LONGEST, arrow_points
+from funicular.gui.drawing.shapes import MILLIMETRES, Arrows, longest_side
 
 # Unlike any force, and seen on white as on dark blue.
 COLOUR = (0.13, 0.62, 0.25)
@@ -25,31 +25,18 @@ class ReactionArrows:
         light.model = coin.SoLightModel.BASE_COLOR
         colour, style = coin.SoBaseColor(), coin.SoDrawStyle()
         colour.rgb, style.lineWidth = COLOUR, LINE_WIDTH
-        self._points, self._lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
-        for node in (unpickable, light, colour, style, self._points, self._lines):
+        self._arrows = Arrows()
+        for node in (unpickable, light, colour, style, self._arrows.group):
             self._root.addChild(node)
         # Before the shape, for what hides that hides what follows too.
         vobj.RootNode.insertChild(self._root, max(vobj.RootNode.findChild(vobj.SwitchNode), 0))
-        self._count = 0
 
     def show(self, form):
         """Those of a Form in place of the ones before."""
         held = np.flatnonzero(np.abs(form.reactions).sum(axis=1))
-        size = float(np.ptp(form.drawn_nodes, axis=0).max(initial=0.0))
-        points = arrow_points(form.drawn_nodes[held], form.reactions[held], LONGEST * size)
-        points = (points * MILLIMETRES).astype(np.float32)
-        count = len(points) // POINTS
-        is_new = count != self._count
-        if is_new:
-            # No line may name a point that is not there any more.
-            self._lines.coordIndex.setNum(0)
-        self._points.point.setValues(0, len(points), points)
-        self._points.point.setNum(len(points))
-        if is_new:
-            self._count = count
-            lines = arrow_lines(count)
-            indices = np.column_stack([lines, np.full(len(lines), -1)]).ravel().tolist()
-            self._lines.coordIndex.setValues(0, len(indices), indices)
+        longest = LONGEST * longest_side(form.drawn_nodes)
+        points = arrow_points(form.drawn_nodes[held], form.reactions[held], longest)
+        self._arrows.show(points * MILLIMETRES)
 
     def remove(self):
         try:

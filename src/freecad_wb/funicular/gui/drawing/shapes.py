@@ -5,6 +5,7 @@ drawn of the same nodes. Lengths in m go in, and coin has them in FreeCAD's mm."
 import numpy as np
 from pivy import coin
 
+from funicular.arrows import POINTS, arrow_lines
 from funicular.bars import bar_faces, bar_points, rectangular_section, round_section
 from funicular.gui.drawing.look import RECTANGULAR
 from funicular.panels import are_convex
@@ -20,8 +21,8 @@ BLOCK = 3000
 
 
 def set_field(field, values):
-    """Let a multiple field of coin hold these values and no others. values: array of integers."""
-    values = values.tolist()
+    """Let a multiple field of coin hold these values and no others. values: list, or array of integers."""
+    values = values if isinstance(values, list) else values.tolist()
     field.setValues(0, len(values), values)
     field.setNum(len(values))
 
@@ -32,6 +33,38 @@ def set_points(coordinates, points):
     # Tuples, for lists of lists would call Python's collector of garbage again and again.
     coordinates.point.setValues(0, len(points), list(zip(numbers, numbers, numbers)))
     coordinates.point.setNum(len(points))
+
+
+def longest_side(nodes):
+    """Of the box that holds nodes (n, 3)."""
+    # By columns, for along rows of three numpy takes ten times as long.
+    return max((float(np.ptp(column)) for column in nodes.T), default=0.0)
+
+
+class Arrows:
+    """Forces as lines; a colour is one for all."""
+
+    def __init__(self):
+        self.group = coin.SoGroup()
+        self._points, self._lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
+        self._lines.coordIndex.setNum(0)
+        self.group.addChild(self._points)
+        self.group.addChild(self._lines)
+        self._count = 0
+
+    def show(self, points):
+        """points: as funicular.arrows.arrow_points() makes them, in mm."""
+        count = len(points) // POINTS
+        is_new, self._count = count != self._count, count
+        if is_new:
+            # No line may name a point that is not there any more.
+            self._lines.coordIndex.setNum(0)
+        points = points.astype(np.float32)
+        self._points.point.setValues(0, len(points), points)
+        self._points.point.setNum(len(points))
+        if is_new:
+            lines = arrow_lines(count)
+            set_field(self._lines.coordIndex, np.column_stack([lines, np.full(len(lines), -1)]).ravel())
 
 
 class Lines:

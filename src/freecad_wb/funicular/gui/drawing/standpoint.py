@@ -28,15 +28,12 @@ def look_from(view, name, points):
     if hasattr(view, "stopAnimating"):
         # A turn that is under way would go on from here.
         view.stopAnimating()
-    forward, upwards = STANDPOINTS[name][:2]
-    forward = np.array(forward) / np.linalg.norm(forward)
-    right = np.cross(forward, upwards)
-    right /= np.linalg.norm(right)
-    up = np.cross(right, forward)
+    right, up, backward = _axes(name)
+    forward = -backward
     width, height = view.getSize()
     aspect = width / height
     camera = view.getCameraNode()
-    rotation = coin.SbMatrix(*(value for row in (right, up, -forward) for value in (*row, 0.0)), 0, 0, 0, 1)
+    rotation = coin.SbMatrix(*(value for row in (right, up, backward) for value in (*row, 0.0)), 0, 0, 0, 1)
     camera.orientation = coin.SbRotation(rotation)
     low, high = points.min(axis=0), points.max(axis=0)
     middle, size = 0.5 * (low + high), max(np.linalg.norm(high - low), 1e-3)
@@ -54,6 +51,24 @@ def look_from(view, name, points):
         distance = max(away.max(), 1e-3 * size)
     camera.position = (middle - distance * forward).tolist()
     camera.focalDistance = distance
+
+
+def rotation_of(view):
+    """(3, 3) rows: to the right in a view, upward, toward the eye; as from a corner if there is no view."""
+    if not hasattr(view, "getCameraNode"):
+        return np.array(_axes("Axonometric"))
+    rotation = coin.SbMatrix()
+    rotation.setRotate(view.getCameraNode().orientation.getValue())
+    return np.array(rotation.getValue())[:3, :3]
+
+
+def _axes(name):
+    """To the right, upward, and toward the eye, as one stands there."""
+    forward, upwards = STANDPOINTS[name][:2]
+    forward = np.array(forward) / np.linalg.norm(forward)
+    right = np.cross(forward, upwards)
+    right /= np.linalg.norm(right)
+    return right, np.cross(right, forward), -forward
 
 
 def _mean_of_ends(values):

@@ -16,7 +16,7 @@ from funicular.gui.drawing.mark_shapes import (
     YIELDS,
     marker,
 )
-from funicular.gui.drawing.shapes import MILLIMETRES
+from funicular.gui.drawing.shapes import MILLIMETRES, set_field
 from funicular.held import square_in
 
 NAME = "Funicular_support_marks"
@@ -45,9 +45,17 @@ class SupportMarks:
         light.model = coin.SoLightModel.BASE_COLOR
         style = coin.SoDrawStyle()
         style.lineWidth = LINE_WIDTH
+        self._switch = coin.SoSwitch()
+        self._switch.whichChild = coin.SO_SWITCH_ALL
+        self._root.addChild(self._switch)
         for node in (unpickable, light, style, *(each.root for each in self._marks.values())):
-            self._root.addChild(node)
+            self._switch.addChild(node)
         vobj.RootNode.addChild(self._root)
+
+    def set_shown(self, is_shown):
+        wanted = coin.SO_SWITCH_ALL if is_shown else coin.SO_SWITCH_NONE
+        if self._switch.whichChild.getValue() != wanted:
+            self._switch.whichChild = wanted
 
     def hold(self, held, free):
         """Mark other nodes, from the next form on. held: as funicular.held.held_of(). free: (k,) nodes."""
@@ -134,8 +142,8 @@ class _Marks:
             (marks.numPoints, marks.markerIndex, False),
         )
         self._as_dots = halo_dots.numPoints, dots.numPoints
-        _set(self._counts, [])
-        _set(self._points, [])
+        set_field(self._counts, [])
+        set_field(self._points, [])
         self._number(0, False)
 
     def place(self, nodes, *polylines):
@@ -152,9 +160,9 @@ class _Marks:
         for of_these, around in self._polylines:
             points.append((form.drawn_nodes[of_these][:, None, :] + size * around).reshape(-1, 3))
             counts += [around.shape[1]] * len(of_these)
-        _set(self._line_points, _millimetres(np.concatenate(points)) if points else [])
-        _set(self._counts, counts)
-        _set(self._points, _millimetres(form.drawn_nodes[nodes]))
+        set_field(self._line_points, _millimetres(np.concatenate(points)) if points else [])
+        set_field(self._counts, counts)
+        set_field(self._points, _millimetres(form.drawn_nodes[nodes]))
         self._number(len(nodes), is_small)
 
     def _number(self, count, is_small):
@@ -167,17 +175,12 @@ class _Marks:
             number.setValue(count)
             if index != self._index:
                 # One for each: coin reads as many.
-                _set(markers, [marker(self._kind, with_halo, is_small)] * index[0])
+                set_field(markers, [marker(self._kind, with_halo, is_small)] * index[0])
         self._index = index
 
 
 def _millimetres(points):
     return (points * MILLIMETRES).tolist()
-
-
-def _set(field, values):
-    field.setValues(0, len(values), values)
-    field.setNum(len(values))
 
 
 def _rgb(text):

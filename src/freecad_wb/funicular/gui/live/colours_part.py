@@ -4,7 +4,7 @@
 import numpy as np
 
 from funicular.gui.colouring import FROM, RANGES, TO, limits_of, section_or_fault, set_limits
-from funicular.gui.inputs import CheckBox, make_input, show_value
+from funicular.gui.inputs import CheckBox, InputLabel, make_input, show_value
 from funicular.gui.live.inputs_part import InputsPart
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from funicular.gui.texts import DOUBTFUL, WrappedText
@@ -107,10 +107,8 @@ class ColoursPart(QtWidgets.QWidget):
             box.setSuffix(" %")
             box.blockSignals(blocked)
         self._boxes[name] = box
-        form.addRow(translate(label), box)
-        label = self._labels[name] = form.labelForField(box)
-        label.setBuddy(box)
-        label.setToolTip(box.toolTip())
+        self._labels[name] = InputLabel(translate(label), box)
+        form.addRow(self._labels[name], box)
 
     def _set(self, name, value):
         self._unreadable.pop(name, None)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Inputs of a gridshell and its net: properties, each with its box, and what it was when the panel came."""
 
-from funicular.gui.inputs import counts, expression_of, make_input, show_value
+from funicular.gui.inputs import InputLabel, counts, expression_of, make_input, show_value
 from funicular.gui.live.slider import WITH_SLIDERS, AmountSlider, ResetButton
 from funicular.gui.qt import QtWidgets, translate
 
@@ -40,10 +40,8 @@ class InputsPart(QtWidgets.QWidget):
             at_once = obj.getTypeIdOfProperty(name) in ("App::PropertyEnumeration", "App::PropertyBool")
             widget = make_input(obj, name, self._setter(obj, name, at_once), self._unread(name))
             row = self._row(widget, obj, name)
-            self.form.addRow(translate(label), row)
-            label = self.form.labelForField(row)
-            label.setBuddy(widget)
-            label.setToolTip(widget.toolTip())
+            label = InputLabel(translate(label), widget)
+            self.form.addRow(label, row)
             self._rows.append((label, row, obj, name))
             if expression_of(obj, name):
                 self._driven.append((widget, obj, name))

@@ -10,6 +10,23 @@ KEYS = (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress, QtCore.QEvent.Ke
 WITH_TEXT = (QtWidgets.QLineEdit, QtWidgets.QTextEdit, QtWidgets.QPlainTextEdit)
 
 
+class PanelForm(QtWidgets.QWidget):
+    """What a panel shows. Enter ends the typing in a box, and nothing more: FreeCAD would press OK.
+
+    on_enter : callable()
+    """
+
+    def __init__(self, on_enter):
+        super().__init__()
+        self._on_enter = on_enter
+
+    def keyPressEvent(self, event):
+        if event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter):
+            self._on_enter()
+        else:
+            super().keyPressEvent(event)
+
+
 class Keys(QtCore.QObject):
     """Sees keys before the window and what is in it do; like Pointer it listens to the whole application.
 

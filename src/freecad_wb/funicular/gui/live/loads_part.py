@@ -3,8 +3,7 @@
 
 import funicular as fn
 from funicular.features.node_choice import is_used, nodes_of
-from funicular.gui.drawing.load_arrows import size_of
-from funicular.gui.drawing.shapes import MILLIMETRES
+from funicular.gui.drawing.shapes import MILLIMETRES, longest_side
 from funicular.gui.live.load_row import LoadRow
 from funicular.gui.picking import WrongSelection
 from funicular.gui.qt import QtWidgets, translate
@@ -148,11 +147,14 @@ class LoadsPart(QtWidgets.QWidget):
         if form is None or not self._shown:
             return
         nodes, place = form.drawn_nodes, self._session.shell.Placement
-        size = size_of(nodes)
+        size = longest_side(nodes)
         try:
             for load, loaded in self._shown:
                 # Of another net, until it is said which of this one bear it.
                 points = nodes[loaded[loaded < len(nodes)]]
+                if self._session.is_looking_away:
+                    # An alternative may bear others.
+                    points = points[:0]
                 load.ViewObject.Proxy.show(points * MILLIMETRES, place, size * MILLIMETRES, self._largest)
         except (ReferenceError, RuntimeError):
             self._shown = []  # one is gone; the next scene says which are left

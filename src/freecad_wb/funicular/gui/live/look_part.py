@@ -7,7 +7,7 @@ import numpy as np
 from funicular.gui.drawing.look import LEAST_EXAGGERATION, MOST_EXAGGERATION, RECTANGULAR, ROUND
 from funicular.gui.drawing.shapes import MILLIMETRES
 from funicular.gui.drawing.standpoint import STANDPOINTS, look_from
-from funicular.gui.inputs import CheckBox, make_input, show_value
+from funicular.gui.inputs import CheckBox, InputLabel, make_input, show_value
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from funicular.wording import number
 
@@ -104,10 +104,7 @@ class LookPart(QtWidgets.QWidget):
             line.setSpacing(0)
             line.addWidget(box)
             line.addWidget(self._slider(name, box.toolTip()))
-        self._form.addRow(translate(LABELS[name]), self._rows[name])
-        label = self._form.labelForField(self._rows[name])
-        label.setBuddy(box)
-        label.setToolTip(box.toolTip())
+        self._form.addRow(InputLabel(translate(LABELS[name]), box), self._rows[name])
 
     def _slider(self, name, tooltip):
         low, high, steps = SLIDERS[name]

@@ -53,6 +53,13 @@ class MatchingPart(QtWidgets.QWidget):
     def leave(self):
         self._background.stop()
 
+    def end(self):
+        """End the rounds that go on, and do without: whether there were any."""
+        is_matching = "matching" in self._session.awaited
+        if is_matching:
+            self._ask(0)
+        return is_matching
+
     def _ask(self, rounds):
         self._set_rounds(rounds)
         self._stop()

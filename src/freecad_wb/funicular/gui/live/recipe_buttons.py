@@ -2,7 +2,7 @@
 """Where a gridshell stands by recipe: one click, a picture for each."""
 
 from funicular.features.support import RECIPES
-from funicular.gui.icons import ink_of_window
+from funicular.gui.drawn_icons import draw_dots, drawn_icon
 from funicular.gui.inputs import expression_of
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
 
@@ -16,7 +16,7 @@ WORDS = {
     "Opening rims": QT_TRANSLATE_NOOP("Funicular", "The rims of openings stand"),
     "None": QT_TRANSLATE_NOOP("Funicular", "It stands on its own supports alone"),
 }
-PIXELS, SHOWN = 96, 24
+SHOWN = 24
 BACK = (QtCore.Qt.Key_Left, QtCore.Qt.Key_Up)
 ON = (QtCore.Qt.Key_Right, QtCore.Qt.Key_Down)
 
@@ -37,7 +37,7 @@ class RecipeButtons(QtWidgets.QWidget):
         for recipe in RECIPES:
             button = QtWidgets.QToolButton()
             button.setObjectName("Recipe" + recipe.title().replace(" ", ""))
-            button.setIcon(_icon(recipe))
+            button.setIcon(drawn_icon(lambda painter, ink, recipe=recipe: _paint(painter, ink, recipe)))
             button.setIconSize(QtCore.QSize(SHOWN, SHOWN))
             button.setCheckable(True)
             button.setAutoRaise(True)
@@ -75,37 +75,25 @@ class RecipeButtons(QtWidgets.QWidget):
         self.show_recipe()
 
 
-def _icon(recipe):
+def _paint(painter, ink, recipe):
     """A square on plan: what stands is thick."""
-    pixmap = QtGui.QPixmap(PIXELS, PIXELS)
-    pixmap.fill(QtCore.Qt.transparent)
-    painter = QtGui.QPainter(pixmap)
-    painter.setRenderHint(QtGui.QPainter.Antialiasing)
-    ink = ink_of_window()
-    thin, thick = QtGui.QPen(ink, 4.0), QtGui.QPen(ink, 12.0)
+    thin, thick, dashed = (QtGui.QPen(ink, width) for width in (4.0, 12.0, 9.0))
     thick.setJoinStyle(QtCore.Qt.MiterJoin)
-    dots = QtGui.QPen(ink, 22.0)
-    dots.setCapStyle(QtCore.Qt.RoundCap)
+    dashed.setStyle(QtCore.Qt.DotLine)
     square, hole = QtCore.QRectF(14, 14, 68, 68), QtCore.QRectF(34, 34, 28, 28)
-    corners = [QtCore.QPointF(x, y) for x in (14, 82) for y in (14, 82)]
+    corners = [(x, y) for x in (14, 82) for y in (14, 82)]
     painter.setPen(thick if recipe == "Boundary" else thin)
     if recipe == "Lowest points":
         # Seen from the side.
         painter.drawArc(QtCore.QRectF(14, 26, 68, 100), 0, 180 * 16)
-        corners = [QtCore.QPointF(x, 76) for x in (14, 82)]
+        corners = [(x, 76) for x in (14, 82)]
     else:
         painter.drawRect(square)
     if recipe == "Opening rims":
         painter.setPen(thick)
         painter.drawEllipse(hole)
     if recipe == "Corners and border planes":
-        dashed = QtGui.QPen(ink, 9.0)
-        dashed.setStyle(QtCore.Qt.DotLine)
         painter.setPen(dashed)
         painter.drawRect(square)
     if recipe in ("Corners", "Corners and border planes", "Lowest points"):
-        painter.setPen(dots)
-        for corner in corners:
-            painter.drawPoint(corner)
-    painter.end()
-    return QtGui.QIcon(pixmap)
+        draw_dots(painter, ink, corners)

@@ -27,8 +27,9 @@ class Session(QtCore.QObject):
     first. own_form: that of the gridshell itself, while another one is looked at. moment: the
     funicular.live.Moment that it goes to. frame_seconds: what the latest frames took of the processor,
     that of whoever listens to `moved` included. accuracy: [m], as it was last taken up. problem: why the
-    properties make no scene, else "". awaited: set of who still has something to add to what the properties
-    say, or to what came of it.
+    properties make no scene, else "".
+    is_changed: whether a part has changed a property. awaited: set of who still has something to add to what
+    the properties say, or to what came of it.
 
     A part that changes a property of the gridshell, its net or its supports calls change(); it may do so as
     often as it likes, for what has changed is taken up once a frame.
@@ -54,7 +55,7 @@ class Session(QtCore.QObject):
         self.watched, self.accuracy, self.problem, self.awaited = False, 1e-3, "", set()
         self._net = self._laid = self._live = self._pace = self._scene = None
         self._exaggeration, self._exaggerated = 1.0, None
-        self._changed = self._stopped = False
+        self._changed = self._stopped = self.is_changed = False
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(preferences.frame_ms())
         self._timer.timeout.connect(self._frame)
@@ -70,6 +71,11 @@ class Session(QtCore.QObject):
         return self._exaggerated[1]
 
     @property
+    def is_looking_away(self):
+        """Whether another form than the gridshell's own is shown."""
+        return self._other is not None
+
+    @property
     def net(self):
         """The Net of the gridshell, None where it was taken away."""
         return self.shell.Net
@@ -78,7 +84,7 @@ class Session(QtCore.QObject):
 
     def change(self):
         """Properties have changed: take them up with the next frame."""
-        self._changed = True
+        self._changed = self.is_changed = True
         self._timer.start()
 
     def take_up(self):
@@ -147,6 +153,13 @@ class Session(QtCore.QObject):
         if self._live is not None:
             self._live.step()
             self._timer.start()
+
+    def end_solving(self):
+        """Pause a solve that goes on: whether there was one."""
+        is_solving = self._live is not None and self._live.is_running and not self.is_paused
+        if is_solving:
+            self.pause()
+        return is_solving
 
     @property
     def is_paused(self):

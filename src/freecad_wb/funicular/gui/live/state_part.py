@@ -15,9 +15,11 @@ class StatePart(QtWidgets.QWidget):
     session : live.session.Session
     show_these : callable(nodes, members)
         Shows nodes and members, by their numbers, in the 3D view.
+    do : callable(change)
+        As for WarningsList.
     """
 
-    def __init__(self, session, show_these):
+    def __init__(self, session, show_these, do):
         super().__init__()
         self._session = session
         column = QtWidgets.QVBoxLayout(self)
@@ -25,7 +27,7 @@ class StatePart(QtWidgets.QWidget):
         column.setSpacing(2)
         self.line = ResultLine()
         column.addWidget(self.line)
-        self.warnings = WarningsList(session, show_these)
+        self.warnings = WarningsList(session, show_these, do)
         column.addWidget(self.warnings)
         self._chart = StripChart()
         column.addWidget(self._chart)

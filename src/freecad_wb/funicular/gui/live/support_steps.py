@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is done to the supports of a gridshell, and to raised nodes, by hand: with a way back step by step.
+"""What is done by hand to supports, raised nodes and members left out, with a way back step by step.
 
 The steps are the panel's own. FreeCAD's undo knows one step, which is all that the panel did.
 """
@@ -11,7 +11,7 @@ from funicular.features.support import Support, held_by_each
 from funicular.make import make_support
 
 OF_SUPPORT = ("Label", *(each.name for each in Support.PROPERTIES if not each.mode and each.name != "Net"))
-OF_NET = ("Raised", "RaisedNodes", "RaisedHeights")
+OF_NET = ("Raised", "RaisedNodes", "RaisedHeights", "RemovedMembers", "RemovedMemberNumbers")
 
 
 @dataclass(frozen=True)

@@ -3,14 +3,13 @@
 
 from funicular.features.support import FIXED, FREE, LINE, PLANE, VERTICAL_LINE, VERTICAL_PLANE
 from funicular.gui.drawing.mark_shapes import mark_icon
-from funicular.gui.icons import icon
 from funicular.gui.live import pick_tools
 from funicular.gui.live.directions import CHOICES
 from funicular.gui.live.recipe_buttons import RecipeButtons
 from funicular.gui.live.stiffness_row import StiffnessRow
 from funicular.gui.live.support_list import SHAPES, SupportList
 from funicular.gui.live.tool_icons import tool_icon
-from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
+from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from funicular.gui.texts import WrappedText
 
 TOOLS = (
@@ -42,7 +41,11 @@ TOOLS = (
     ),
 )
 KIND_BUTTONS = (
-    (FIXED, QT_TRANSLATE_NOOP("Funicular", "Fixed"), QT_TRANSLATE_NOOP("Funicular", "Hold it in its place")),
+    (
+        FIXED,
+        QT_TRANSLATE_NOOP("Funicular", "Fixed"),
+        QT_TRANSLATE_NOOP("Funicular", "Hold it where it was laid, on the source; the green arrow raises it"),
+    ),
     (
         VERTICAL_LINE,
         QT_TRANSLATE_NOOP("Funicular", "Upright line"),
@@ -86,6 +89,8 @@ class SupportsForm(QtWidgets.QWidget):
         column.addWidget(self.recipes)
         column.addLayout(self._tool_row())
         self.words = WrappedText()
+        # What stands below does not jump with each pick.
+        self.words.LEAST_LINES = 2
         self.words.setObjectName("SupportWords")
         self.words.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Minimum)
         column.addWidget(self.words)
@@ -121,8 +126,7 @@ class SupportsForm(QtWidgets.QWidget):
         self._tool_buttons = {}
         for tool, words in TOOLS:
             button = _tool_button(f"Tool{tool}", translate(words))
-            image = QtGui.QIcon(icon("Funicular_Raise")) if tool == pick_tools.RAISE else tool_icon(tool)
-            button.setIcon(image)
+            button.setIcon(tool_icon(tool))
             button.setCheckable(True)
             button.clicked.connect(lambda _=False, tool=tool: self.use_tool(tool))
             group.addButton(button)

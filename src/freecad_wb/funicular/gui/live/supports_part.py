@@ -14,7 +14,6 @@ from funicular.gui.drawing.mark_shapes import DOT, HOVER, RING
 from funicular.gui.drawing.on_screen import OnScreen
 from funicular.gui.drawing.support_marks import SupportMarks
 from funicular.gui.live.directions import direction_of
-from funicular.gui.live.keys import Keys
 from funicular.gui.live.pick_tools import OFF, PickTools
 from funicular.gui.live.picks import Picks
 from funicular.gui.live.stiffness_row import NONE, RIGID
@@ -46,9 +45,10 @@ class SupportsPart(SupportsForm):
         # As held_by_each(), the fn.Net that it is of, and the fn.Scene; (SwitchNode, what it showed) of
         # supports by their names.
         self._held, self._net, self._scene, self._hidden = [], None, None, {}
-        self._document_name = self._shell.Document.Name
         # What a support was before it was freed by the slider.
         self._kinds_before = {}
+        # Whether the words say why nothing can be held as the properties are.
+        self._fails = False
         self._hovered, self._are_close = (), False
         self.marks = SupportMarks(self._shell.ViewObject)
         self.picks = Picks(self._picked)
@@ -59,17 +59,16 @@ class SupportsPart(SupportsForm):
         self.tools.raised.connect(self._raise)
         self.tools.changed.connect(lambda: self.show_tool(self.tools.tool))
         pointer.add(self.tools)
-        self._keys = Keys(self._escape, self._undo, self._redo, self._is_in_front)
         session.came.connect(self._came)
         session.moved.connect(self._draw)
         self.list.chosen.connect(self._chosen)
+        self.list.chosen.connect(self._say_what_is_picked)
         self._hide_shapes()
         self._say_what_is_picked()
         self.show_steps(self.steps)
 
     def leave(self):
-        """Take everything out of the 3D view and off the keyboard."""
-        self._keys.stop()
+        """Take everything out of the 3D view."""
         self.tools.leave()
         self._pointer.remove(self.tools)
         self.marks.remove()
@@ -101,14 +100,17 @@ class SupportsPart(SupportsForm):
             self._scene = self._session.moment.scene
             self._take_held()
 
-    def _take_held(self):
+    def _take_held(self, after_step=False):
         """Mark and list what holds the form as the properties now are."""
         if self._net is None or self._shell.Net is None:
             return
+        wrong = ""
         try:
             self._held = held_by_each(self._shell, self._net)
-        except fn.InvalidInput:
-            return  # the state of the panel says it, and the last marks stay
+        except fn.InvalidInput as error:
+            # Said here too: the line on top may be out of sight. Nothing is held until it is mended.
+            wrong = str(error)
+            self._held = [(support, np.zeros(0, dtype=int), []) for support in self._shell.Supports]
         supports = [each for _, _, made in self._held for each in made]
         free = [nodes for support, nodes, _ in self._held if support is not None and support.Kind == FREE]
         self.marks.hold(held_of(supports), np.concatenate(free) if free else np.zeros(0, dtype=int))
@@ -117,8 +119,15 @@ class SupportsPart(SupportsForm):
         self._hide_shapes()
         self._chosen()
         self._draw()
+        if wrong:
+            self.say_what_is_wrong(wrong)
+        elif after_step or self._fails:
+            self._say_what_is_picked()
+        self._fails = bool(wrong)
 
     def _draw(self, only=None):
+        # What holds an alternative is not what holds the present form.
+        self.marks.set_shown(not self._session.is_looking_away)
         if self._session.form is not None:
             self.marks.show(self._session.form, self._are_close, only)
 
@@ -186,8 +195,12 @@ class SupportsPart(SupportsForm):
         self._draw(DOT)
 
     def _say_what_is_picked(self):
-        count, elements = len(self.picks), self.picks.elements
-        if not count:
+        count, elements, chosen = len(self.picks), self.picks.elements, len(self.list.names())
+        if not count and chosen:
+            self.words.setText(
+                translate("Chosen in the list: {}. Hold it in another way, soften or lift it.").format(chosen)
+            )
+        elif not count:
             self.words.setText(
                 translate("Pick nodes in the 3D view with one of the tools, or choose a support.")
             )
@@ -195,7 +208,7 @@ class SupportsPart(SupportsForm):
             self.words.setText(translate("Picked: {}, {} nodes").format(", ".join(elements), count))
         else:
             self.words.setText(translate("Nodes picked: {}").format(count))
-        self.words.setStyleSheet("")
+        self.words.set_colour(None)
 
     def say_what_is_wrong(self, sentence):
         self.words.set_colour(WRONG)
@@ -203,8 +216,8 @@ class SupportsPart(SupportsForm):
 
     # Steps
 
-    def _do(self, change, merge=None):
-        """Whether a step could be made; if not, why not is said."""
+    def do(self, change, merge=None):
+        """Whether a step could be made of what change() does; if not, why not is said."""
         if self._shell.Net is None:
             self.say_what_is_wrong(translate("The gridshell has no Net any more."))
             return False
@@ -213,13 +226,12 @@ class SupportsPart(SupportsForm):
         except (ValueError, WrongSelection) as error:
             self.say_what_is_wrong(str(error))
             return False
-        self._say_what_is_picked()
         self._changed()
         return True
 
     def _changed(self):
         self.show_steps(self.steps)
-        self._take_held()
+        self._take_held(after_step=True)
         self._session.change()
 
     def forget_steps(self):
@@ -232,26 +244,14 @@ class SupportsPart(SupportsForm):
         self._kinds_before = {}
         self.show_steps(self.steps)
 
-    def _is_in_front(self, widget):
-        """Whether a key in a widget is meant for the document of the panel, and not for another one."""
-        active = FreeCADGui.activeDocument()
-        return self.isAncestorOf(widget) or (active and active.Document.Name == self._document_name)
-
-    def _undo(self):
-        return self._back_or_on(self.steps.can_undo, self.steps.undo)
-
-    def _redo(self):
-        return self._back_or_on(self.steps.can_redo, self.steps.redo)
-
     def _back_or_on(self, can, do):
         can = can and self._shell.Net is not None
         if can:
             do()
-            self._say_what_is_picked()
             self._changed()
         return can
 
-    def _escape(self):
+    def lay_down_tool(self):
         """Whether there was a tool to lay down."""
         if self.tools.tool == OFF:
             return False
@@ -268,13 +268,15 @@ class SupportsPart(SupportsForm):
 
     def choose_recipe(self, recipe):
         if recipe != self._shell.SupportRecipe:
-            self._do(lambda: setattr(self._shell, "SupportRecipe", recipe))
+            self.do(lambda: setattr(self._shell, "SupportRecipe", recipe))
 
     def undo(self):
-        self._undo()
+        """Whether there was a step to take back."""
+        return self._back_or_on(self.steps.can_undo, self.steps.undo)
 
     def redo(self):
-        self._redo()
+        """Whether there was a step to make again."""
+        return self._back_or_on(self.steps.can_redo, self.steps.redo)
 
     def hold(self, kind):
         """Hold in this way what is picked, else what is chosen in the list."""
@@ -294,7 +296,7 @@ class SupportsPart(SupportsForm):
             held_by_each(self._shell, self._net)
 
         added = []
-        if self._do(change) and added:
+        if self.do(change) and added:
             self.picks.clear()
             self.list.choose([support.Name for support in added])
 
@@ -312,7 +314,7 @@ class SupportsPart(SupportsForm):
                 self._shell.SupportRecipe = "None"
                 held_by_each(self._shell, self._net)
 
-        self._do(change)
+        self.do(change)
 
     def weaken(self, stiffness):
         """Give what is chosen this stiffness [N/m], NONE or RIGID."""
@@ -331,7 +333,7 @@ class SupportsPart(SupportsForm):
                 )
 
         added = []
-        if self._do(change, merge="stiffness") and added:
+        if self.do(change, merge="stiffness") and added:
             self.list.choose([support.Name for support in added])
 
     def end_weakening(self):
@@ -342,7 +344,7 @@ class SupportsPart(SupportsForm):
             for name, value in raised_of_net(self._shell.Net, [node], height / MILLIMETRE).items():
                 setattr(self._shell.Net, name, value)
 
-        self._do(change)
+        self.do(change)
 
     def _chosen_supports(self, added):
         """The Supports that are chosen in the list; for the recipe a Support in its place, `added` too."""

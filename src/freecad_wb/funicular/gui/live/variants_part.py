@@ -62,14 +62,17 @@ class VariantsPart(QtWidgets.QWidget):
     ----------
     session : live.session.Session
     thumbnail : callable(width, height) -> bytes
-        A PNG picture of the 3D view as it is.
+        A PNG picture of the form that is shown.
+    on_look : callable(name)
+        Called when an alternative is shown in place of the present form; with "" when that is shown again.
     after_restore : callable()
         Called after properties have been set, for boxes that show them.
     """
 
-    def __init__(self, session, thumbnail, after_restore):
+    def __init__(self, session, thumbnail, on_look, after_restore):
         super().__init__()
         self._session, self._thumbnail, self._after_restore = session, thumbnail, after_restore
+        self._on_look, self._looked_at = on_look, ""
         # The fn.Scene of the present form when an alternative was chosen beside it.
         self._scene = None
         column = QtWidgets.QVBoxLayout(self)
@@ -149,6 +152,12 @@ class VariantsPart(QtWidgets.QWidget):
                 event.accept()
                 return True
         return False
+
+    def look_away(self):
+        """Show the present form again: whether another was shown."""
+        is_looking = self._session.is_looking_away
+        self.strip.clearSelection()
+        return is_looking
 
     # What the buttons do
 
@@ -242,16 +251,19 @@ class VariantsPart(QtWidgets.QWidget):
 
     def _show(self, variant):
         """See a variant in place of the present form, where its nodes are those of the same net."""
-        form = self._session.own_form
+        form, name = self._session.own_form, ""
+        self.says.setText("")
         if variant is None or form is None:
             self._session.look_at(None)
         elif len(variant.nodes) == len(form.nodes):
             self._session.look_at(other_form(form, variant.nodes, variant.member_forces, variant.reactions))
+            name = variant.name
         else:
             self._session.look_at(None)
             self.says.setText(translate("{} has another net: restore it to see it.").format(variant.name))
-            return
-        self.says.setText("")
+        if name != self._looked_at:
+            self._looked_at = name
+            self._on_look(name)
 
     def _fill(self, *columns):
         self.table.setVisible(bool(columns))
@@ -282,23 +294,3 @@ class VariantsPart(QtWidgets.QWidget):
     def leave(self):
         """The present form is what is shown, and nothing is heard of the strip any more."""
         self.strip.removeEventFilter(self)
-
-
-def picture_of_view(view):
-    """A function for `thumbnail`: of FreeCAD's 3D view, by a file, for that is what it writes."""
-    import os
-    import tempfile
-
-    def thumbnail(width, height):
-        handle, path = tempfile.mkstemp(suffix=".png")
-        os.close(handle)
-        try:
-            view().saveImage(path, width, height, "White")
-            with open(path, "rb") as file:
-                return file.read()
-        except (RuntimeError, OSError, AttributeError):
-            return b""  # without a 3D view there is no picture, and the variant is as good
-        finally:
-            os.unlink(path)
-
-    return thumbnail

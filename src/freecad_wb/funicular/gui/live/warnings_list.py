@@ -3,7 +3,7 @@
 
 import numpy as np
 
-import funicular as fn
+from funicular.features.result_words import slack_of
 from funicular.gui.qt import QtWidgets, translate
 from funicular.gui.texts import DOUBTFUL, WrappedText
 
@@ -19,16 +19,24 @@ class WarningsList(QtWidgets.QWidget):
     session : live.session.Session
     show_these : callable(nodes, members)
         Shows nodes and members, by their numbers, in the 3D view.
+    do : callable(change)
+        Makes a step that can be taken back of what change() does.
     """
 
-    def __init__(self, session, show_these):
+    def __init__(self, session, show_these, do):
         super().__init__()
-        self._session, self._show_these = session, show_these
+        self._session, self._show_these, self._do_step = session, show_these, do
+        # What the Net said of members taken out before some were left out here.
+        self._before = None
         self._column = QtWidgets.QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(2)
         # What is warned of, and the moment that it is of: a solve that goes on has none yet.
         self._told = self._moment = None
+
+    def forget(self):
+        """Others have changed the net: what was left out here cannot be taken back by itself."""
+        self._before = None
 
     def clear(self):
         self._tell(())
@@ -48,7 +56,12 @@ class WarningsList(QtWidgets.QWidget):
                 ((translate("Ten times as stiff"), "stiffen"),),
             )
             return
-        slack, tension = _slack(moment), list(certificate.tension_members)
+        if self._left_out() is not None:
+            yield (
+                translate("Slack members were left out of the net."),
+                ((translate("Take them back"), "take_back"),),
+            )
+        slack, tension = slack_of(moment.scene, certificate), list(certificate.tension_members)
         if slack:
             yield (
                 translate("{} members are slack: they carry nothing.").format(len(slack)),
@@ -104,6 +117,8 @@ class WarningsList(QtWidgets.QWidget):
             shell.AllowTension = False
         elif action == "leave_out":
             self._leave_out()
+        elif action == "take_back":
+            self._set_taken_out(self._before)
         else:
             self._show_these(*action[1:])
             return
@@ -116,16 +131,24 @@ class WarningsList(QtWidgets.QWidget):
         if net is None or not np.array_equal(members, net.members):
             # Of another net than it now is, and what that comes to is not known yet.
             return
-        pairs = members[_slack(self._moment)]
-        for name, value in taken_out_of_net(self._session.net, pairs).items():
-            setattr(self._session.net, name, value)
+        pairs = members[slack_of(self._moment.scene, self._moment.certificate)]
+        before = self._left_out() or self._taken_out()
+        self._set_taken_out(taken_out_of_net(self._session.net, pairs))
+        self._before = before
 
+    def _taken_out(self):
+        net = self._session.net
+        return {name: getattr(net, name) for name in ("RemovedMembers", "RemovedMemberNumbers")}
 
-def _slack(moment):
-    """Numbers of the slack members; between two nodes that are held none could carry anything."""
-    held = np.zeros(len(moment.scene.net.nodes), dtype=bool)
-    for support in moment.scene.supports:
-        held[support.ids] |= isinstance(support, fn.Fixed)
-    ends = moment.scene.net.members[np.asarray(moment.certificate.slack_members, dtype=int)]
-    free = ~held[ends].all(axis=1)
-    return np.asarray(moment.certificate.slack_members, dtype=int)[free].tolist()
+    def _left_out(self):
+        """What the Net said before members were left out here; None where that is what it says."""
+        if self._before is None or self._session.net is None or self._before == self._taken_out():
+            return None
+        return self._before
+
+    def _set_taken_out(self, values):
+        def change():
+            for name, value in values.items():
+                setattr(self._session.net, name, value)
+
+        self._do_step(change)
