@@ -198,3 +198,23 @@ def test_what_cannot_be_edited_leaves_no_transaction_open(opened):
     settle()
     assert not Gui.Control.activeDialog() and App.getActiveTransaction() is None
     assert "Net is Box, which is not a Net" in report_view()
+
+
+def test_what_is_changed_and_recomputed_beside_the_panel_is_followed(opened):
+    wait_for_rest(opened)
+    before = opened.Net.NodeCount
+    opened.Net.StepU, opened.CoveringWeight = "700 mm", "60 kg/m^2"
+    opened.Document.getObject("Roof").Placement.Base.z = 5000.0
+    opened.Document.recompute()
+    assert opened.Net.NodeCount != before
+    form = wait_for_rest(opened)
+    assert len(form.nodes) == opened.Net.NodeCount and form.nodes[:, 2].min() == pytest.approx(5.0)
+    assert panel_box("CoveringWeight").text() == "60 kg/m²"
+    type_into(panel_box("StepU"), "400 mm")
+    # Before the typing has ended.
+    opened.Document.recompute()
+    wait_until(lambda: session_of(opened).is_result, "a form at rest")
+    assert len(session_of(opened).form.nodes) == opened.Net.NodeCount
+    shown = result_line().split("total")[0]
+    press("Ok")
+    assert opened.Summary.startswith(shown[2:])

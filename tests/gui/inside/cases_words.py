@@ -8,6 +8,7 @@ import xml.etree.ElementTree as ElementTree
 import FreeCAD as App
 import FreeCADGui as Gui
 import funicular_locate
+import hand
 import pytest
 from funicular.gui import preferences
 from funicular.gui.commands import COMMANDS
@@ -69,11 +70,8 @@ def settings():
 
 
 def panel():
-    """The widget of the open panel."""
-    widget = child(QtWidgets.QLabel, "ResultLine")
-    while widget.windowTitle() == "" or widget.parentWidget() is None:
-        widget = widget.parentWidget()
-    return widget
+    """The widget of the open panel; not by way of parentWidget(), or PySide takes its labels for dead."""
+    return hand.panel().form
 
 
 def shown(widget):

@@ -141,7 +141,7 @@ def make_input(obj, name, on_change, on_error):
 
 
 class InputLabel(QtWidgets.QLabel):
-    """What stands beside an input: it explains it, leads the keyboard there, and a click on it ticks a box."""
+    """What stands beside an input: it explains it, leads the keyboard there, and a click ticks a box."""
 
     def __init__(self, text, box):
         super().__init__(text)

@@ -152,6 +152,14 @@ class GridshellPanel:
             self._leave()
             FreeCADGui.Control.closeDialog()
 
+    def slotRecomputedDocument(self, document):
+        # As after each edit in FreeCAD's own editor, or of the source: what that has come to is taken up.
+        if document != self._document:
+            return
+        if not self._unreadable and not self._pause.isActive():
+            self._show_values()
+        self.session.follow()
+
     def slotCloseTransaction(self, abort):
         if self._shell is not None and active_transaction() != self._transaction:
             self._end(
@@ -274,12 +282,15 @@ class GridshellPanel:
         return FreeCADGui.getDocument(self._document.Name).ActiveView
 
     def _show_inputs(self):
-        """Let the boxes show what the properties have become by other hands."""
+        """Let all that is about the properties follow what they have become by other hands."""
+        self._show_values()
+        self.supports.forget_steps()
+        self.state.warnings.forget()
+
+    def _show_values(self):
         for column in self._columns:
             column.show_all()
         self.loads.show_all()
-        self.supports.forget_steps()
-        self.state.warnings.forget()
 
     def _source_button(self):
         button = QtWidgets.QPushButton(translate("Use selected faces"))

@@ -106,9 +106,12 @@ class InputsPart(QtWidgets.QWidget):
 
     def show_what_counts(self):
         """Hide the inputs that have no say as the others are."""
-        for label, widget, obj, name in self._rows:
-            for each in (label, widget):
-                each.setVisible(counts(obj, name))
+        try:
+            for label, widget, obj, name in self._rows:
+                for each in (label, widget):
+                    each.setVisible(counts(obj, name))
+        except ReferenceError:
+            pass  # the object is gone, and what depends on it says so
 
     def follow_expressions(self):
         try:

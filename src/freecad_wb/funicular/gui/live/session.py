@@ -83,8 +83,13 @@ class Session(QtCore.QObject):
     # What the panel and its parts ask for
 
     def change(self):
-        """Properties have changed: take them up with the next frame."""
-        self._changed = self.is_changed = True
+        """A part has changed properties: take them up with the next frame."""
+        self.is_changed = True
+        self.follow()
+
+    def follow(self):
+        """Others have changed properties: take them up with the next frame."""
+        self._changed = True
         self._timer.start()
 
     def take_up(self):
@@ -300,10 +305,11 @@ class Session(QtCore.QObject):
         net = self.net
         if net is None:
             raise fn.InvalidInput("Net is empty: close this panel and set it to a Net of this document")
-        if self._net is None or self._laid is not net or _is_to_compute(net):
+        # Another's recompute may have laid it anew, and then it is marked no more: its shape tells.
+        if self._net is None or _is_to_compute(net) or not net.Shape.isSame(self._laid):
             self._net = None
             _compute(net)
-            self._net, self._laid = net_of(net), net
+            self._net, self._laid = net_of(net), net.Shape
 
 
 def _is_to_compute(obj):
