@@ -21,13 +21,8 @@ formatted() {
     done
     return $faults
 }
-tidy() {
-    printf '%s\0' "$@" |
-        xargs --null --max-args=1 --max-procs="$(nproc)" clang-tidy --quiet -p build/release 2> >(grep -v 'warnings generated\.$' >&2)
-}
-
 run clang-format formatted "${cpp[@]}"
-run clang-tidy tidy "${core_units[@]}"
+run clang-tidy /usr/bin/python3 tools/tidy.py build/release "${core_units[@]}"
 run black /usr/bin/python3 -m black --check --quiet --diff "${python[@]}"
 run flake8 /usr/bin/python3 -m flake8 "${python[@]}"
 

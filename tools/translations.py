@@ -28,7 +28,7 @@ CONTEXT = "Funicular"
 OF_PROPERTIES = "App::Property"
 
 # Tables of words that modules without a window keep: module, attribute.
-TABLES = (("funicular.effect_costs", "NAMES"),)
+TABLES = (("funicular.effect_costs", "NAMES"), ("funicular.quantities", "NAMES"))
 
 LRELEASE = ("lrelease", "/usr/lib/qt5/bin/lrelease")
 

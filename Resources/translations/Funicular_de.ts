@@ -82,7 +82,11 @@
         </message>
         <message>
             <source>Diameter of round bars, and width of rectangular ones</source>
-            <translation>Durchmesser runder Stäbe und Breite rechteckiger</translation>
+            <translation type="vanished">Durchmesser runder Stäbe und Breite rechteckiger</translation>
+        </message>
+        <message>
+            <source>Diameter of round bars, width of others; where such a section is given, its own</source>
+            <translation>Durchmesser runder Stäbe, Breite der anderen; ist ein solcher Querschnitt angegeben, dessen Maß</translation>
         </message>
         <message>
             <source>Diameter of round members, width of others</source>
@@ -122,7 +126,11 @@
         </message>
         <message>
             <source>Height of rectangular bars, in the vertical plane of each</source>
-            <translation>Höhe rechteckiger Stäbe, jeweils in ihrer lotrechten Ebene</translation>
+            <translation type="vanished">Höhe rechteckiger Stäbe, jeweils in ihrer lotrechten Ebene</translation>
+        </message>
+        <message>
+            <source>Height of rectangular bars, upright; where such a section is given, its own</source>
+            <translation>Höhe rechteckiger Stäbe, aufrecht; ist ein solcher Querschnitt angegeben, dessen Höhe</translation>
         </message>
         <message>
             <source>Height of rectangular members</source>
@@ -508,8 +516,12 @@
             <translation>(Die letzte gute Form bleibt.)</translation>
         </message>
         <message>
+            <source>, each member with {} of EA and weight</source>
+            <translation>, jeder Stab mit dem {}-Fachen von EA und Gewicht</translation>
+        </message>
+        <message>
             <source>, with EA and weight of members times {}</source>
-            <translation>, mit EA und Gewicht der Stäbe mal {}</translation>
+            <translation type="vanished">, mit EA und Gewicht der Stäbe mal {}</translation>
         </message>
         <message>
             <source>, {} slack</source>
@@ -580,6 +592,10 @@
             <translation>Stabbreite</translation>
         </message>
         <message>
+            <source>Bars are as large as the section below.</source>
+            <translation>Die Stäbe sind so groß wie der Querschnitt unten.</translation>
+        </message>
+        <message>
             <source>Begin again from the net as it lies on its source</source>
             <translation>Neu beginnen, vom Netz, wie es auf seiner Quelle liegt</translation>
         </message>
@@ -622,6 +638,10 @@
         <message>
             <source>Choose one to see it, two (with Ctrl) to compare them; F2 renames. Without a choice the present form is shown.</source>
             <translation>Eine wählen, um sie zu sehen, zwei (mit Strg), um sie zu vergleichen; F2 benennt um. Ohne Wahl wird die jetzige Form gezeigt.</translation>
+        </message>
+        <message>
+            <source>Chosen in the list: {}. Hold it in another way, soften or lift it.</source>
+            <translation>In der Liste gewählt: {}. Anders halten, weicher machen oder lösen.</translation>
         </message>
         <message>
             <source>Clear</source>
@@ -680,6 +700,10 @@
             <translation>Tiefe</translation>
         </message>
         <message>
+            <source>Deviation</source>
+            <translation>Abweichung</translation>
+        </message>
+        <message>
             <source>Diagonal</source>
             <translation>Diagonal</translation>
         </message>
@@ -732,6 +756,10 @@
             <translation>Gleiche Längen</translation>
         </message>
         <message>
+            <source>Esc takes nothing back: press Cancel for that, or OK to keep it.</source>
+            <translation>Esc nimmt nichts zurück: dafür Abbrechen drücken, oder OK, um es zu behalten.</translation>
+        </message>
+        <message>
             <source>Every node of the border stands</source>
             <translation>Jeder Knoten des Randes steht auf</translation>
         </message>
@@ -766,6 +794,10 @@
         <message>
             <source>Follows the expression {}</source>
             <translation>Folgt dem Ausdruck {}</translation>
+        </message>
+        <message>
+            <source>Force</source>
+            <translation>Kraft</translation>
         </message>
         <message>
             <source>Force +</source>
@@ -833,11 +865,15 @@
         </message>
         <message>
             <source>Hold it in its place</source>
-            <translation>Hält sie an ihrem Ort</translation>
+            <translation type="vanished">Hält sie an ihrem Ort</translation>
         </message>
         <message>
             <source>Hold it nowhere, whatever the recipe or other supports say</source>
             <translation>Hält sie nirgends, was auch Vorgabe oder andere Auflager sagen</translation>
+        </message>
+        <message>
+            <source>Hold it where it was laid, on the source; the green arrow raises it</source>
+            <translation>Dort halten, wo er gelegt wurde, auf der Quelle; der grüne Pfeil hebt ihn</translation>
         </message>
         <message>
             <source>How far the farthest node is from where it was laid</source>
@@ -1360,8 +1396,16 @@
             <translation>Seite</translation>
         </message>
         <message>
+            <source>Slack</source>
+            <translation>Schlaff</translation>
+        </message>
+        <message>
             <source>Slack members</source>
             <translation>Schlaffe Stäbe</translation>
+        </message>
+        <message>
+            <source>Slack members were left out of the net.</source>
+            <translation>Schlaffe Stäbe wurden aus dem Netz weggelassen.</translation>
         </message>
         <message>
             <source>Snow</source>
@@ -1450,6 +1494,10 @@
         <message>
             <source>Take out</source>
             <translation>Herausnehmen</translation>
+        </message>
+        <message>
+            <source>Take them back</source>
+            <translation>Zurücknehmen</translation>
         </message>
         <message>
             <source>Take {} away</source>
@@ -1622,6 +1670,10 @@
         <message>
             <source>Width</source>
             <translation>Breite</translation>
+        </message>
+        <message>
+            <source>Within {} of the smooth form: step {}, {}</source>
+            <translation>Auf {} an der glatten Form: Schritt {}, {}</translation>
         </message>
         <message>
             <source>Without it {}, and the shape moves by {}.</source>
@@ -1916,6 +1968,10 @@
             <translation>{} ist als Ganzes gewählt, mit {} Flächen: die in der 3D-Ansicht wählen, denen die Gitterschale folgen soll.</translation>
         </message>
         <message>
+            <source>{} is shown, as it was kept. Esc shows the present form again.</source>
+            <translation>{} ist zu sehen, wie sie behalten wurde. Esc zeigt wieder die jetzige Form.</translation>
+        </message>
+        <message>
             <source>{} is there already. Replace it?</source>
             <translation>{} gibt es schon. Ersetzen?</translation>
         </message>
@@ -1941,7 +1997,7 @@
         </message>
         <message>
             <source>{} overall: step {}, {}</source>
-            <translation>{} insgesamt: Schritt {}, {}</translation>
+            <translation type="vanished">{} insgesamt: Schritt {}, {}</translation>
         </message>
         <message>
             <source>{} sideways</source>
@@ -1994,6 +2050,10 @@
         <message>
             <source>{}: {}, {} nodes</source>
             <translation>{}: {}, {} Knoten</translation>
+        </message>
+        <message>
+            <source>“{}” is negative: give more than zero.</source>
+            <translation>„{}“ ist negativ: mehr als null angeben.</translation>
         </message>
         <message>
             <source>“{}” is not a value in {}. Write for example “12 {}”.</source>

@@ -82,7 +82,11 @@
         </message>
         <message>
             <source>Diameter of round bars, and width of rectangular ones</source>
-            <translation>Diametro delle aste tonde e larghezza di quelle rettangolari</translation>
+            <translation type="vanished">Diametro delle aste tonde e larghezza di quelle rettangolari</translation>
+        </message>
+        <message>
+            <source>Diameter of round bars, width of others; where such a section is given, its own</source>
+            <translation>Diametro delle barre tonde, larghezza delle altre; se è data una tale sezione, la sua</translation>
         </message>
         <message>
             <source>Diameter of round members, width of others</source>
@@ -122,7 +126,11 @@
         </message>
         <message>
             <source>Height of rectangular bars, in the vertical plane of each</source>
-            <translation>Altezza delle aste rettangolari, nel piano verticale di ciascuna</translation>
+            <translation type="vanished">Altezza delle aste rettangolari, nel piano verticale di ciascuna</translation>
+        </message>
+        <message>
+            <source>Height of rectangular bars, upright; where such a section is given, its own</source>
+            <translation>Altezza delle barre rettangolari, in piedi; se è data una tale sezione, la sua</translation>
         </message>
         <message>
             <source>Height of rectangular members</source>
@@ -508,8 +516,12 @@
             <translation>(Resta l'ultima forma valida.)</translation>
         </message>
         <message>
+            <source>, each member with {} of EA and weight</source>
+            <translation>, ogni asta con {} di EA e peso</translation>
+        </message>
+        <message>
             <source>, with EA and weight of members times {}</source>
-            <translation>, con EA e peso delle aste per {}</translation>
+            <translation type="vanished">, con EA e peso delle aste per {}</translation>
         </message>
         <message>
             <source>, {} slack</source>
@@ -580,6 +592,10 @@
             <translation>Largh. asta</translation>
         </message>
         <message>
+            <source>Bars are as large as the section below.</source>
+            <translation>Le barre sono grandi come la sezione più sotto.</translation>
+        </message>
+        <message>
             <source>Begin again from the net as it lies on its source</source>
             <translation>Ricominciare dal reticolo come sta sulla sorgente</translation>
         </message>
@@ -622,6 +638,10 @@
         <message>
             <source>Choose one to see it, two (with Ctrl) to compare them; F2 renames. Without a choice the present form is shown.</source>
             <translation>Sceglierne una per vederla, due (con Ctrl) per confrontarle; F2 rinomina. Senza scelta si vede la forma attuale.</translation>
+        </message>
+        <message>
+            <source>Chosen in the list: {}. Hold it in another way, soften or lift it.</source>
+            <translation>Scelti nell'elenco: {}. Si può vincolare in altro modo, ammorbidire o togliere.</translation>
         </message>
         <message>
             <source>Clear</source>
@@ -680,6 +700,10 @@
             <translation>Profondità</translation>
         </message>
         <message>
+            <source>Deviation</source>
+            <translation>Scostamento</translation>
+        </message>
+        <message>
             <source>Diagonal</source>
             <translation>Diagonale</translation>
         </message>
@@ -732,6 +756,10 @@
             <translation>Lunghezze uguali</translation>
         </message>
         <message>
+            <source>Esc takes nothing back: press Cancel for that, or OK to keep it.</source>
+            <translation>Esc non annulla nulla: per questo premere Annulla, oppure OK per tenere tutto.</translation>
+        </message>
+        <message>
             <source>Every node of the border stands</source>
             <translation>Ogni nodo del bordo appoggia</translation>
         </message>
@@ -766,6 +794,10 @@
         <message>
             <source>Follows the expression {}</source>
             <translation>Segue l'espressione {}</translation>
+        </message>
+        <message>
+            <source>Force</source>
+            <translation>Forza</translation>
         </message>
         <message>
             <source>Force +</source>
@@ -833,11 +865,15 @@
         </message>
         <message>
             <source>Hold it in its place</source>
-            <translation>Tiene al suo posto</translation>
+            <translation type="vanished">Tiene al suo posto</translation>
         </message>
         <message>
             <source>Hold it nowhere, whatever the recipe or other supports say</source>
             <translation>Non tiene affatto, qualunque cosa dicano lo schema o altri vincoli</translation>
+        </message>
+        <message>
+            <source>Hold it where it was laid, on the source; the green arrow raises it</source>
+            <translation>Tenerlo dov'è stato posato, sulla sorgente; la freccia verde lo alza</translation>
         </message>
         <message>
             <source>How far the farthest node is from where it was laid</source>
@@ -1360,8 +1396,16 @@
             <translation>Lato</translation>
         </message>
         <message>
+            <source>Slack</source>
+            <translation>Lente</translation>
+        </message>
+        <message>
             <source>Slack members</source>
             <translation>Aste scariche</translation>
+        </message>
+        <message>
+            <source>Slack members were left out of the net.</source>
+            <translation>Le aste lente sono state tolte dalla rete.</translation>
         </message>
         <message>
             <source>Snow</source>
@@ -1450,6 +1494,10 @@
         <message>
             <source>Take out</source>
             <translation>Togli</translation>
+        </message>
+        <message>
+            <source>Take them back</source>
+            <translation>Rimetterle</translation>
         </message>
         <message>
             <source>Take {} away</source>
@@ -1622,6 +1670,10 @@
         <message>
             <source>Width</source>
             <translation>Larghezza</translation>
+        </message>
+        <message>
+            <source>Within {} of the smooth form: step {}, {}</source>
+            <translation>A meno di {} dalla forma liscia: passo {}, {}</translation>
         </message>
         <message>
             <source>Without it {}, and the shape moves by {}.</source>
@@ -1916,6 +1968,10 @@
             <translation>{} è scelto per intero, con {} facce: scegliere nella vista 3D quelle che la gridshell deve seguire.</translation>
         </message>
         <message>
+            <source>{} is shown, as it was kept. Esc shows the present form again.</source>
+            <translation>Si vede {}, com'era stata tenuta. Esc mostra di nuovo la forma attuale.</translation>
+        </message>
+        <message>
             <source>{} is there already. Replace it?</source>
             <translation>{} esiste già. Sostituire?</translation>
         </message>
@@ -1941,7 +1997,7 @@
         </message>
         <message>
             <source>{} overall: step {}, {}</source>
-            <translation>{} in tutto: passo {}, {}</translation>
+            <translation type="vanished">{} in tutto: passo {}, {}</translation>
         </message>
         <message>
             <source>{} sideways</source>
@@ -1994,6 +2050,10 @@
         <message>
             <source>{}: {}, {} nodes</source>
             <translation>{}: {}, {} nodi</translation>
+        </message>
+        <message>
+            <source>“{}” is negative: give more than zero.</source>
+            <translation>«{}» è negativo: dare più di zero.</translation>
         </message>
         <message>
             <source>“{}” is not a value in {}. Write for example “12 {}”.</source>

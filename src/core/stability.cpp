@@ -15,7 +15,7 @@ using Factor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
 
 // Smaller than this part of the largest, a member's pull is rounding.
 constexpr double negligible = 1e-9;
-constexpr double units_in_last_place = 8;
+constexpr double units_of_rounding = 8;
 // A curvature within this part of the bound on negative ones is none.
 constexpr double neutral = 1e-6;
 // The largest negative curvature is sought to this factor, which leaves inverse iteration well ahead of every
@@ -31,7 +31,7 @@ Eigen::VectorXd significant_tensions(const Points &x, const Equilibrium &equilib
     axial.tensions(x, tensions);
     const double smallest = negligible * tensions.cwiseAbs().maxCoeff();
     const double rounding =
-        units_in_last_place * std::numeric_limits<double>::epsilon() * x.cwiseAbs().maxCoeff();
+        units_of_rounding * std::numeric_limits<double>::epsilon() * x.cwiseAbs().maxCoeff();
     for (Index e = 0; e < tensions.size(); ++e)
         if (std::abs(tensions[e]) <= std::max(smallest, rounding * axial.stiffness()[e]))
             tensions[e] = 0;
@@ -103,7 +103,7 @@ std::optional<Instability> find_instability(const Points &x, Equilibrium &equili
         return std::nullopt;
     // Gershgorin, of what pushing members take away; and what rounding may.
     const double rounding =
-        units_in_last_place * std::numeric_limits<double>::epsilon() * tangent.diagonal().maxCoeff();
+        units_of_rounding * std::numeric_limits<double>::epsilon() * tangent.diagonal().maxCoeff();
     double above = 2 * nodes.pushed.maxCoeff() + rounding;
     double below = std::max(neutral * above, rounding);
     Factor factor;

@@ -47,6 +47,7 @@ DEVIATION = Quantity("Deviation", "m", AMOUNT, True, True)
 SLACK = Quantity("Slack", "", CATEGORY)
 
 QUANTITIES = {each.name: each for each in (FORCE, STRESS, UTILISATION, LENGTH, DEVIATION, SLACK)}
+NAMES = tuple(QUANTITIES)
 
 
 def deviations(form):

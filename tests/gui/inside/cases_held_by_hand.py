@@ -15,6 +15,7 @@ from window import (
     panel_box,
     press,
     report_view,
+    result_line,
     settle,
     wait_until,
 )
@@ -287,9 +288,22 @@ def test_undo_is_the_panels_own_and_esc_ends_the_tool_first(standing):
     assert panel_box("ToolNodes").isChecked()
     key(viewport(), QtCore.Qt.Key_Escape)
     assert panel_box("ToolOff").isChecked() and Gui.Control.activeDialog()
+    at_rest()
     key(viewport(), QtCore.Qt.Key_Escape)
     settle()
-    assert not Gui.Control.activeDialog(), "without a tool it is the panel's"
+    assert Gui.Control.activeDialog() and "press Cancel" in result_line(), "what was done is not lost by it"
+
+
+def test_what_cannot_hold_is_said_where_it_was_asked_for(standing):
+    panel_box("RecipeNone").click()
+    settle()
+    assert panel_box("SupportWords").text().startswith("✖") and "falls" in panel_box("SupportWords").text()
+    assert panel_box("SupportList").topLevelItemCount() == 0
+    panel_box("RecipeCorners").click()
+    at_rest()
+    assert panel_box("SupportWords").text().startswith("Pick nodes")
+    assert panel_box("SupportWords").styleSheet() == ""
+    assert panel_box("SupportList").topLevelItemCount() == 1
 
 
 def test_a_corner_is_raised_by_dragging(standing, pictures):

@@ -79,12 +79,12 @@ def label(name):
 
 
 def test_the_price_of_an_accuracy_is_told_beside_it(opened, pictures):
-    wait_until(lambda: "overall: step" in (label("PriceTag").text() or ""), "a price")
+    wait_until(lambda: "of the smooth form: step" in (label("PriceTag").text() or ""), "a price")
     about, overall = label("PriceTag").text().split("\n")
-    assert about.startswith("about ") and overall.startswith("1 mm overall: step ")
+    assert about.startswith("about ") and overall.startswith("Within 1 mm of the smooth form: step ")
     assert label("PriceTag").height() >= label("PriceTag").heightForWidth(label("PriceTag").width())
     type_into(panel_box("Accuracy"), "20 mm")
-    wait_until(lambda: label("PriceTag").text().split("\n")[-1].startswith("20 mm overall"), "a new price")
+    wait_until(lambda: label("PriceTag").text().split("\n")[-1].startswith("Within 20 mm of"), "a new price")
     label("PriceTag").parentWidget().grab().save(str(pictures / "panel_with_price.png"))
     panel_box("Method").setCurrentText("Newton")
     wait_until(lambda: label("PriceTag").text() == "", "no price for another method")

@@ -10,6 +10,7 @@ import pytest
 from funicular.features.variants import variants_of
 from window import (
     QtCore,
+    QtGui,
     QtWidgets,
     child,
     clear_report_view,
@@ -254,6 +255,14 @@ def test_slack_members_can_be_left_out(sheet):
     click(QtWidgets.QPushButton, "Warning0_leave_out")
     wait_until(lambda: sheet.Net.MemberCount < members, "a net without them")
     wait_for_rest(sheet)
+    left = sheet.Net.MemberCount
+    wait_until(lambda: child(QtWidgets.QPushButton, "Warning0_take_back") is not None, "a way back")
+    click(QtWidgets.QPushButton, "Warning0_take_back")
+    wait_for_rest(sheet)
+    assert sheet.Net.MemberCount == members
+    click(QtWidgets.QPushButton, "SupportUndo")
+    wait_for_rest(sheet)
+    assert sheet.Net.MemberCount == left
     press("Ok")
     assert sheet.Status == "converged" and len(sheet.MemberForces) == sheet.Net.MemberCount
 
@@ -267,15 +276,28 @@ def test_alternatives_are_kept_seen_compared_and_restored(sheet, pictures):
     click(QtWidgets.QPushButton, "KeepThis")
     kept = variants_of(sheet)
     assert [variant.name for variant in kept] == ["Variant 1", "Variant 2"]
-    assert all(variant.thumbnail.startswith(b"\x89PNG") for variant in kept)
+    for variant in kept:
+        image = QtGui.QImage.fromData(QtCore.QByteArray(variant.thumbnail))
+        ink = [
+            (x, y)
+            for x in range(image.width())
+            for y in range(image.height())
+            if image.pixelColor(x, y) != QtGui.QColor("white")
+        ]
+        assert (
+            min(min(at) for at in ink) > 0 and max(x for x, _ in ink) < image.width() - 1
+        ), "all of the form"
+        assert max(x for x, _ in ink) - min(x for x, _ in ink) > 0.8 * image.width()
     strip = panel_box("Variants")
     strip.item(0).setSelected(True)
     settle()
     assert session_of(sheet).form.nodes == pytest.approx(low, abs=1e-5), "seen at once"
+    assert result_line().startswith("… Variant 1 is shown") and not panel_of(sheet).supports.marks.is_shown
     press_key(strip, QtCore.Qt.Key_Escape)
     settle()
     assert Gui.Control.activeDialog(), "Esc returns to the present form alone"
     assert session_of(sheet).form.nodes == pytest.approx(high, abs=1e-9)
+    assert result_line().startswith("✔") and panel_of(sheet).supports.marks.is_shown
     strip.item(0).setSelected(True), strip.item(1).setSelected(True)
     settle()
     table = panel_box("VariantNumbers")

@@ -60,7 +60,9 @@ def vertex_at(shell, node):
 def tips_of(load):
     """(k, 3) [mm] of the arrows that are drawn, and their label."""
     arrows = load.ViewObject.Proxy._arrows
-    points = np.array([point.getValue() for point in arrows._points.point.getValues()]).reshape(-1, 6, 3)
+    points = np.array([point.getValue() for point in arrows._arrows._points.point.getValues()]).reshape(
+        -1, 6, 3
+    )
     return points[:, 1], arrows.text
 
 

@@ -3,6 +3,7 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import hand
 import numpy as np
 import pytest
 from funicular.features import progress
@@ -125,6 +126,10 @@ def test_choices_follow_the_keyboard(opened):
     panel_box("AllowTension").setFocus()
     send_key(panel_box("AllowTension"), QtCore.Qt.Key_Space, " ")
     assert opened.AllowTension and opened.Visibility
+    labels = [each for each in QtWidgets.QApplication.allWidgets() if isinstance(each, QtWidgets.QLabel)]
+    label = next(each for each in labels if each.isVisible() and each.buddy() is panel_box("AllowTension"))
+    hand.mouse_on(label)
+    assert not opened.AllowTension, "a click on the words ticks the box"
 
 
 def test_ok_is_one_undo_step(opened, roof):
@@ -261,11 +266,15 @@ def test_deleting_the_gridshell_closes_its_panel(opened):
     assert report_view() == ""
 
 
-def test_enter_in_a_box_is_ok(opened):
+def test_enter_in_a_box_ends_the_typing_alone(opened):
     type_into(panel_box("MemberWeight"), "15")
     press_key(panel_box("MemberWeight"), QtCore.Qt.Key_Return)
-    settle()
-    assert not Gui.Control.activeDialog()
+    assert not hand.panel()._pause.isActive(), "it is taken up at once"
+    wait_for_rest(opened)
+    assert Gui.Control.activeDialog()
+    press_key(panel_box("MemberWeight"), QtCore.Qt.Key_Escape)
+    assert Gui.Control.activeDialog() and "press Cancel" in result_line()
+    press("Ok")
     assert opened.MemberWeight.getValueAs("kg/m") == pytest.approx(15.0) and opened.Document.UndoCount == 1
 
 

@@ -42,6 +42,15 @@ def mouse(kind, place, button=NONE, buttons=NONE, modifiers=QtCore.Qt.NoModifier
     QtWidgets.QApplication.sendEvent(viewport(), event)
 
 
+def mouse_on(widget):
+    """Press and let go in the middle of a widget."""
+    at = QtCore.QPointF(widget.rect().center())
+    for kind, buttons in ((QtCore.QEvent.MouseButtonPress, LEFT), (QtCore.QEvent.MouseButtonRelease, NONE)):
+        event = QtGui.QMouseEvent(kind, at, LEFT, buttons, QtCore.Qt.NoModifier)
+        QtWidgets.QApplication.sendEvent(widget, event)
+    settle()
+
+
 def move(place):
     mouse("MouseMove", place)
     settle(1)

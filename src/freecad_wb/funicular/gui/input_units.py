@@ -3,7 +3,7 @@
 
 FreeCAD's unit schemas know no kg/m and kg/m²: its box shows 30 kg/m² as "0.00 kg/mm^2" and rounds it to that.
 Snow it shows as "0.00 Pa", a strength as "6000.00 kPa", and a force, in each schema for buildings and in all
-imperial ones, in mm·kg/s².
+imperial ones, in mm·kg/s². It also lets no M be typed before N, and takes "2 MN" for 2 N.
 """
 
 import FreeCAD
@@ -25,6 +25,9 @@ IMPERIAL = {
     "YoungsModulus": "ksi",
 }
 
+# From how many of a unit on its multiple is written.
+MULTIPLES = {"kN": ((1e4, "MN"),)}
+
 # As engineers write them, and as FreeCAD's parser reads them.
 WRITTEN = (("²", "^2"), ("psf", "lbf/ft^2"), ("kip", "*1000 lbf"))
 
@@ -40,8 +43,14 @@ def unit_of(name, quantity):
     if quantity.Unit.Type == "Force":
         units = preferences.force_units()
         # Stiffnesses are thousands of the smaller unit.
-        return None if quantity.getUserPreferred()[2] in units else units[-1]
+        return units[-1]
     return None
+
+
+def fitting(unit, quantity):
+    """The unit to write a quantity in where `unit` is asked for: that, or a multiple that fits better."""
+    size = abs(amount_in(quantity, unit)) if unit in MULTIPLES else 0.0
+    return next((larger for factor, larger in MULTIPLES.get(unit, ()) if size >= factor), unit)
 
 
 def as_parsed(text):

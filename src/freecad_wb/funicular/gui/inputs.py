@@ -9,7 +9,7 @@ import FreeCADGui
 
 from funicular.gui.pattern_icons import pattern_icon
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
-from funicular.gui.input_units import amount_in, as_parsed, unit_of
+from funicular.gui.input_units import amount_in, as_parsed, fitting, unit_of
 from funicular.wording import number
 
 # (heading, ((owner, property, label), …)), in the order of the panel and of the Tab key.
@@ -236,6 +236,10 @@ def _quantity(obj, name, on_change, on_error):
         FreeCADGui.ExpressionBinding(widget).bind(obj, name)
 
     def changed(value):
+        if value < 0.0 and obj.getTypeIdOfProperty(name) == "App::PropertyLength":
+            # The property would take it for nothing.
+            on_error(translate("“{}” is negative: give more than zero.").format(widget.property("text")))
+            return
         on_change(FreeCAD.Units.Quantity(value, quantity.Unit))
 
     def edited(text):
@@ -304,7 +308,8 @@ class QuantityField(QtWidgets.QLineEdit):
         self.editingFinished.connect(self._complete)
 
     def show_quantity(self, quantity):
-        self.setText(f"{number(amount_in(quantity, self._unit), '.6g')} {self._unit}")
+        unit = fitting(self._unit, quantity)
+        self.setText(f"{number(amount_in(quantity, unit), '.6g')} {unit}")
 
     def _quantity(self):
         """What is written, or None if it is no quantity of this kind. A bare number has the unit shown."""

@@ -17,6 +17,8 @@ NODE_PREFIX = "Funicular_legend_"
 WATCHED = "funicular_legends"
 
 WIDTH, HEIGHT, GAP = 164, 262, 8
+# Left of it, in halves of the window's width; and what of the width it may ask to be left free.
+EDGE, MOST_ROOM = 0.02, 0.4
 ROWS = 256
 BAR = QtCore.QRect(14, 46, 22, 182)
 # Taken from the bar for a word above it, and for each line below it but one.
@@ -66,6 +68,13 @@ def show(obj):
             legend = _new_legend(obj)
             graph.addChild(legend)
         _draw(legend, obj, _legends(graph).index(legend))
+
+
+def room_in(view):
+    """Share of the width of a 3D view, from the left, that is taken by legends: none, or up to MOST_ROOM."""
+    count = len(_legends(view.getSceneGraph()))
+    width = view.getSize()[0] / FreeCADGui.getMainWindow().devicePixelRatioF()
+    return min(0.5 * EDGE + count * (WIDTH + GAP) / width, MOST_ROOM) if count else 0.0
 
 
 def hide(obj):
@@ -134,7 +143,7 @@ def _new_legend(obj):
     camera.nearDistance, camera.farDistance = 0.0, 2.0
     # At the near plane: in front of the model wherever in the graph the model is drawn.
     corner = coin.SoTranslation()
-    corner.translation = (-0.98, -0.97, 0.999)
+    corner.translation = (-1.0 + EDGE, -0.97, 0.999)
     image = coin.SoImage()
     image.horAlignment, image.vertAlignment = coin.SoImage.LEFT, coin.SoImage.BOTTOM
     separator = coin.SoSeparator()

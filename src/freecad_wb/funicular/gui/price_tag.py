@@ -10,7 +10,12 @@ from funicular.wording import number, time_text
 
 
 class PriceTag(WrappedText):
-    """Two quiet lines: "about 0.2 s", "1 mm overall: step 40 cm, 50 ms". Empty until something is known."""
+    """Quiet lines: "about 0.2 s", "Within 1 mm of the smooth form: step 40 cm, 50 ms".
+
+    Empty until something is known, and as high then, so that what stands below does not jump.
+    """
+
+    LEAST_LINES = 3
 
     def __init__(self):
         super().__init__()
@@ -52,9 +57,9 @@ def _price_in_words(scene, accuracy, seconds, is_wanted):
     except Exception:
         # No lattice, or no smooth surface: then there is no step to tell.
         return words
-    words += "\n" + translate("{} overall: step {}, {}").format(
+    words += "\n" + translate("Within {} of the smooth form: step {}, {}").format(
         length_in_words(accuracy), length_in_words(settings.step), time_text(settings.seconds)
     )
     if settings.lines != 1.0:
-        words += translate(", with EA and weight of members times {}").format(number(settings.lines, ".3g"))
+        words += translate(", each member with {} of EA and weight").format(number(settings.lines, ".3g"))
     return words

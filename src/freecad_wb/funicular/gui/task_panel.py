@@ -370,7 +370,7 @@ class GridshellPanel:
         net.Source = source
         FreeCADGui.Selection.clearSelection()
         self.session.take_up()
-        if "Invalid" not in net.State:
+        if self.session.source_net is not None:
             clicked_object(source).Visibility = False
 
     def _show_these(self, nodes, members):

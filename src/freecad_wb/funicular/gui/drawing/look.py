@@ -33,13 +33,19 @@ PROPERTIES = (
         "App::PropertyLength",
         "BarWidth",
         80.0,
-        QT_TRANSLATE_NOOP("App::Property", "Diameter of round bars, and width of rectangular ones"),
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Diameter of round bars, width of others; where such a section is given, its own",
+        ),
     ),
     (
         "App::PropertyLength",
         "BarHeight",
         120.0,
-        QT_TRANSLATE_NOOP("App::Property", "Height of rectangular bars, in the vertical plane of each"),
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Height of rectangular bars, upright; where such a section is given, its own",
+        ),
     ),
     (
         "App::PropertyBool",
@@ -130,6 +136,8 @@ def look_of(vobj):
     if any(name not in vobj.PropertiesList for name in NAMES) or vobj.Display not in DISPLAYS:
         return Look()
     display, width, height = vobj.Display, vobj.BarWidth.Value, vobj.BarHeight.Value
+    if is_as_section(vobj):
+        width, height = vobj.Object.SectionWidth.Value, vobj.Object.SectionHeight.Value
     members = display.replace(AND_COVERING, "")
     if (members == ROUND and not width) or (members == RECTANGULAR and not width * height):
         # Bars without a size would not be seen.
@@ -145,6 +153,12 @@ def look_of(vobj):
         vobj.SunAltitude.Value,
         exaggeration_of(vobj),
     )
+
+
+def is_as_section(vobj):
+    """Whether bars are drawn as large as the section of the members, one of their shape being given."""
+    shape = getattr(vobj.Object, "SectionShape", "")
+    return bool(shape) and vobj.Display.startswith(shape)
 
 
 def exaggeration_of(vobj):

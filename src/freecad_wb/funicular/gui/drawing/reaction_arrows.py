@@ -13,6 +13,13 @@ LINE_WIDTH = 2.0
 NAME = "Funicular_reactions"
 
 
+def reaction_points(form):
+    """(k, 3) [m] points of the arrows of a Form's reactions, as funicular.arrows.arrow_points() has them."""
+    held = np.flatnonzero(np.abs(form.reactions).sum(axis=1))
+    longest = LONGEST * longest_side(form.drawn_nodes)
+    return arrow_points(form.drawn_nodes[held], form.reactions[held], longest)
+
+
 class ReactionArrows:
     """One arrow a reaction, its tip at the node that is held; the largest is a fifth of the net's size."""
 
@@ -33,10 +40,7 @@ class ReactionArrows:
 
     def show(self, form):
         """Those of a Form in place of the ones before."""
-        held = np.flatnonzero(np.abs(form.reactions).sum(axis=1))
-        longest = LONGEST * longest_side(form.drawn_nodes)
-        points = arrow_points(form.drawn_nodes[held], form.reactions[held], longest)
-        self._arrows.show(points * MILLIMETRES)
+        self._arrows.show(reaction_points(form) * MILLIMETRES)
 
     def remove(self):
         try:

@@ -23,8 +23,11 @@ STANDPOINTS = {
 }
 
 
-def look_from(view, name, points):
-    """Turn a 3D view of FreeCAD's at once, and let it hold the points (n, 3) [mm, of the document]."""
+def look_from(view, name, points, left=0.0):
+    """Turn a 3D view of FreeCAD's at once, and let it hold the points (n, 3) [mm, of the document].
+
+    left: share of its width, from the left, that is left free of them.
+    """
     if hasattr(view, "stopAnimating"):
         # A turn that is under way would go on from here.
         view.stopAnimating()
@@ -41,15 +44,20 @@ def look_from(view, name, points):
     middle = middle + right * _mean_of_ends(across) + up * _mean_of_ends(upward)
     across, upward = across - _mean_of_ends(across), upward - _mean_of_ends(upward)
     if camera.isOfType(coin.SoOrthographicCamera.getClassTypeId()):
-        tall = 2.0 * max(np.abs(upward).max(), np.abs(across).max() / aspect)
-        camera.height = MARGIN * max(tall, 1e-3 * size)
-        distance = size
+        tall = 2.0 * MARGIN * max(np.abs(upward).max(), np.abs(across).max() / aspect / (1.0 - left))
+        tall = max(tall, 1e-3 * size)
+        camera.height = tall
+        aside, distance = 0.5 * left * tall * aspect, size
     else:
         # Each point so far away that it stays within the angle of the view.
         half = np.tan(0.5 * camera.heightAngle.getValue())
-        away = MARGIN * np.maximum(np.abs(upward), np.abs(across) / aspect) / half - along
+        wide, across, upward = half * aspect, MARGIN * across, MARGIN * upward
+        to_right = (across / wide - along) / (1.0 - left)
+        to_left = ((2.0 * left - 1.0) * along - across / wide) / (1.0 - left)
+        away = np.concatenate([np.abs(upward) / half - along, to_right, to_left])
         distance = max(away.max(), 1e-3 * size)
-    camera.position = (middle - distance * forward).tolist()
+        aside = left * wide * distance
+    camera.position = (middle - distance * forward - aside * right).tolist()
     camera.focalDistance = distance
 
 

@@ -52,9 +52,13 @@ class SupportMarks:
             self._switch.addChild(node)
         vobj.RootNode.addChild(self._root)
 
+    @property
+    def is_shown(self):
+        return self._switch.whichChild.getValue() == coin.SO_SWITCH_ALL
+
     def set_shown(self, is_shown):
         wanted = coin.SO_SWITCH_ALL if is_shown else coin.SO_SWITCH_NONE
-        if self._switch.whichChild.getValue() != wanted:
+        if is_shown != self.is_shown:
             self._switch.whichChild = wanted
 
     def hold(self, held, free):

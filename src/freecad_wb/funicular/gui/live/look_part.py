@@ -4,11 +4,20 @@
 import FreeCADGui
 import numpy as np
 
-from funicular.gui.drawing.look import LEAST_EXAGGERATION, MOST_EXAGGERATION, RECTANGULAR, ROUND
+from funicular.gui import legend
+from funicular.gui.drawing.look import (
+    LEAST_EXAGGERATION,
+    MOST_EXAGGERATION,
+    RECTANGULAR,
+    ROUND,
+    is_as_section,
+)
+from funicular.gui.drawing.reaction_arrows import reaction_points
 from funicular.gui.drawing.shapes import MILLIMETRES
 from funicular.gui.drawing.standpoint import STANDPOINTS, look_from
 from funicular.gui.inputs import CheckBox, InputLabel, make_input, show_value
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
+from funicular.gui.texts import WrappedText
 from funicular.wording import number
 
 LABELS = {
@@ -56,6 +65,9 @@ class LookPart(QtWidgets.QWidget):
         self._boxes, self._sliders, self._rows = {}, {}, {}
         for name in LABELS:
             self._add(name)
+        self._as_section = WrappedText(translate("Bars are as large as the section below."))
+        self._as_section.setObjectName("BarsAsSection")
+        column.addWidget(self._as_section)
         self._said = QtWidgets.QLabel()
         self._said.setObjectName("ExaggerationSaid")
         self._said.setWordWrap(True)
@@ -139,8 +151,10 @@ class LookPart(QtWidgets.QWidget):
             slider.setValue(round(getattr(value, "Value", value) * SLIDERS[name][2]))
             slider.blockSignals(blocked)
         display = self._vobj.Display
-        self._show_row("BarWidth", ROUND in display or RECTANGULAR in display)
-        self._show_row("BarHeight", RECTANGULAR in display)
+        as_section = is_as_section(self._vobj)
+        self._show_row("BarWidth", (ROUND in display or RECTANGULAR in display) and not as_section)
+        self._show_row("BarHeight", RECTANGULAR in display and not as_section)
+        self._as_section.setVisible(as_section)
         for name in ("SunAzimuth", "SunAltitude"):
             self._show_row(name, self._vobj.ShowGround)
         factor = self._boxes["Exaggeration"].value()
@@ -162,8 +176,11 @@ class LookPart(QtWidgets.QWidget):
         if form is None or not hasattr(view, "getCameraNode"):
             return
         matrix = np.array(self._session.shell.getGlobalPlacement().toMatrix().A).reshape(4, 4)
-        points = form.drawn_nodes * MILLIMETRES
-        look_from(view, name, points @ matrix[:3, :3].T + matrix[:3, 3])
+        points = form.drawn_nodes
+        if self._vobj.ShowReactions:
+            points = np.concatenate([points, reaction_points(form)])
+        points = points * MILLIMETRES @ matrix[:3, :3].T + matrix[:3, 3]
+        look_from(view, name, points, legend.room_in(view))
 
 
 def _is_typed_in(box):

@@ -271,7 +271,7 @@ class Session(QtCore.QObject):
         """Give the solver what the properties say now."""
         self._changed, self._other = False, None
         try:
-            self._follow_expressions()
+            _follow_expressions(self.shell)
             self._lay_net()
             scene, self.accuracy = self.scene_and_accuracy()
         except (*EXPECTED, ReferenceError) as error:
@@ -293,13 +293,6 @@ class Session(QtCore.QObject):
         else:
             self._pace.change(now)
 
-    def _follow_expressions(self):
-        """FreeCAD evaluates them when it computes an object, which here waits for OK."""
-        for path, expression in self.shell.ExpressionEngine:
-            name = path.lstrip(".")
-            if name in self.shell.PropertiesList:
-                setattr(self.shell, name, self.shell.evalExpression(expression))
-
     def _lay_net(self):
         """Compute the net where its properties have changed; the gridshell, and what holds it, wait."""
         net = self.net
@@ -312,6 +305,14 @@ class Session(QtCore.QObject):
             self._net, self._laid = net_of(net), net.Shape
 
 
+def _follow_expressions(obj):
+    """FreeCAD evaluates them when it computes an object, which here waits for OK."""
+    for path, expression in obj.ExpressionEngine:
+        name = path.lstrip(".")
+        if name in obj.PropertiesList:
+            setattr(obj, name, obj.evalExpression(expression))
+
+
 def _is_to_compute(obj):
     return "Touched" in obj.State or "Invalid" in obj.State
 
@@ -320,12 +321,21 @@ def _compute(obj):
     """Raises InvalidInput with what the object says where it cannot be computed."""
     if not _is_to_compute(obj):
         return
-    try:
-        obj.recompute()
-    except EXPECTED:
-        pass  # its state says it too, and better
     if "Invalid" in obj.State:
-        raise fn.InvalidInput(obj.getStatusString())
+        # As it was before the panel came: only FreeCAD can say that it is so no more.
+        try:
+            obj.recompute()
+        except EXPECTED:
+            pass  # its state says it too, and better
+        if "Invalid" in obj.State:
+            raise fn.InvalidInput(obj.getStatusString())
+    else:
+        # Not by FreeCAD: it would open the report view with a traceback at each slip of typing.
+        _follow_expressions(obj)
+        try:
+            obj.Proxy.execute(obj)
+        except RuntimeError as error:
+            raise fn.InvalidInput(str(error)) from None
     # Computed by itself an object stays marked, and the next change of anything would compute it again. What
     # depends on it still has to be.
     for user in obj.InList:
