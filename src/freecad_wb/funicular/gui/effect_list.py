@@ -5,6 +5,7 @@ import funicular as fn
 from funicular.effect_costs import NAMES
 from funicular.gui.background import Background
 from funicular.gui.lengths import length_in_words
+from funicular.gui.live.buttons import push_button
 from funicular.gui.qt import QtWidgets, translate
 from funicular.gui.texts import WrappedText
 from funicular.wording import number, time_text
@@ -25,15 +26,15 @@ class EffectList(QtWidgets.QWidget):
         self._background = Background(self, self._show)
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        self._button = QtWidgets.QPushButton(translate("What effects cost"))
-        self._button.setObjectName("EffectCosts")
-        self._button.setToolTip(
+        self._button = push_button(
+            "EffectCosts",
+            translate("What effects cost"),
             translate(
                 "Solve once more without each effect: how much time it takes, and how far the shape moves. "
                 "Nothing is left out by this."
-            )
+            ),
+            self._measure,
         )
-        self._button.clicked.connect(self._measure)
         column.addWidget(self._button)
         self._text = WrappedText("")
         self._text.setObjectName("EffectList")

@@ -127,8 +127,8 @@ def make_input(obj, name, on_change, on_error):
     widget.setObjectName(name)
     show_value(widget, obj, name)
     if kind != "App::PropertyBool":
-        # Room for "1000.00 mm" and its f(x), beside the label in a panel of the width that FreeCAD gives it.
-        widget.setMinimumWidth(104)
+        # As narrow as it must be beside the longest label, in a panel of the width that FreeCAD gives it.
+        widget.setMinimumWidth(92)
     documentation = translate(obj.getDocumentationOfProperty(name), "App::Property")
     expression = expression_of(obj, name)
     if expression:

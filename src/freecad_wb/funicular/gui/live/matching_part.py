@@ -5,6 +5,7 @@ import numpy as np
 
 import funicular as fn
 from funicular.gui.background import Background
+from funicular.gui.live.buttons import push_button
 from funicular.gui.qt import QtWidgets, translate
 from funicular.gui.texts import WrappedText
 from funicular.wording import number
@@ -29,20 +30,23 @@ class MatchingPart(QtWidgets.QWidget):
         column.setSpacing(2)
         row = QtWidgets.QHBoxLayout()
         column.addLayout(row)
-        self._match = QtWidgets.QPushButton(translate("Match lengths"))
-        self._match.setObjectName("MatchLengths")
-        self._match.setToolTip(
-            translate(
-                "Shorten what has become longer than on the source and lengthen what has become shorter, "
-                "round by round, as far as equilibrium lets it"
+        row.addWidget(
+            push_button(
+                "MatchLengths",
+                translate("Match lengths"),
+                translate(
+                    "Shorten what has become longer than on the source and lengthen what has become shorter, "
+                    "round by round, as far as equilibrium lets it"
+                ),
+                lambda: self._ask(ROUNDS),
             )
         )
-        self._match.clicked.connect(lambda: self._ask(ROUNDS))
-        row.addWidget(self._match)
-        self._undo = QtWidgets.QPushButton(translate("Undo matching"))
-        self._undo.setObjectName("UndoMatching")
-        self._undo.setToolTip(translate("Do without, or end it while it goes on"))
-        self._undo.clicked.connect(lambda: self._ask(0))
+        self._undo = push_button(
+            "UndoMatching",
+            translate("Undo matching"),
+            translate("Do without, or end it while it goes on"),
+            lambda: self._ask(0),
+        )
         row.addWidget(self._undo)
         self._text = WrappedText("")
         self._text.setObjectName("MatchingResult")

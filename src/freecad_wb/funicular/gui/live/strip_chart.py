@@ -68,7 +68,8 @@ class StripChart(QtWidgets.QWidget):
         painter.setPen(faint)
         asked = translate("asked for: {}").format(length_in_words(self._accuracy))
         place = QtCore.QRect(LEFT, round(level) + 1, self.width() - LEFT - RIGHT, BOTTOM)
-        painter.drawText(place, QtCore.Qt.AlignRight, asked)
+        # Where courses begin they are above it.
+        painter.drawText(place, QtCore.Qt.AlignLeft, asked)
         for column, asked, (colour, dashes) in ((1, TOLERANCE, RESIDUAL), (2, self._accuracy, DISTANCE)):
             painter.setPen(QtGui.QPen(QtGui.QColor(colour), 1.6, dashes))
             self._draw(painter, column, asked)

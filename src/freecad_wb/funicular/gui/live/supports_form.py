@@ -4,6 +4,7 @@
 from funicular.features.support import FIXED, FREE, LINE, PLANE, VERTICAL_LINE, VERTICAL_PLANE
 from funicular.gui.drawing.mark_shapes import mark_icon
 from funicular.gui.live import pick_tools
+from funicular.gui.live.buttons import push_button
 from funicular.gui.live.directions import CHOICES
 from funicular.gui.live.recipe_buttons import RecipeButtons
 from funicular.gui.live.stiffness_row import StiffnessRow
@@ -73,8 +74,7 @@ KIND_BUTTONS = (
     ),
 )
 # Two, for a panel of the width that FreeCAD gives it.
-COLUMNS, SHOWN = 2, 22
-NARROW = 40  # [px], to which a button with a short word may shrink
+COLUMNS, SHOWN, MARK = 2, 19, 14
 
 
 class SupportsForm(QtWidgets.QWidget):
@@ -95,6 +95,7 @@ class SupportsForm(QtWidgets.QWidget):
         self.words.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Minimum)
         column.addWidget(self.words)
         column.addLayout(self._kind_grid())
+        column.addLayout(self._direction_row())
         self.list = SupportList()
         column.addWidget(self.list)
         self.stiffness = StiffnessRow(
@@ -133,11 +134,9 @@ class SupportsForm(QtWidgets.QWidget):
             row.addWidget(button)
             self._tool_buttons[tool] = button
         row.addStretch(1)
-        self._clear_button = QtWidgets.QPushButton(translate("Clear"))
-        self._clear_button.setObjectName("ClearPicks")
-        self._clear_button.setMinimumWidth(NARROW)
-        self._clear_button.setToolTip(translate("Pick nothing"))
-        self._clear_button.clicked.connect(lambda: self.clear_picks())
+        self._clear_button = push_button(
+            "ClearPicks", translate("Clear"), translate("Pick nothing"), lambda: self.clear_picks()
+        )
         row.addWidget(self._clear_button)
         self.show_tool(pick_tools.OFF)
         return row
@@ -145,19 +144,20 @@ class SupportsForm(QtWidgets.QWidget):
     def _kind_grid(self):
         grid = QtWidgets.QGridLayout()
         grid.setSpacing(2)
+        for column in range(COLUMNS):
+            grid.setColumnStretch(column, 1)
         self._kind_buttons = []
         for number, (kind, words, what) in enumerate(KIND_BUTTONS):
-            button = _tool_button("Hold" + words.title().replace(" ", ""), translate(what))
-            button.setText(translate(words))
+            name = "Hold" + words.title().replace(" ", "")
+            button = push_button(name, translate(words), translate(what), lambda kind=kind: self.hold(kind))
             button.setIcon(mark_icon(SHAPES[kind]))
-            button.setIconSize(QtCore.QSize(16, 16))
-            button.setAutoRaise(False)
-            button.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
-            button.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
-            button.clicked.connect(lambda _=False, kind=kind: self.hold(kind))
-            button.setMinimumWidth(NARROW)
+            button.setIconSize(QtCore.QSize(MARK, MARK))
             grid.addWidget(button, number // COLUMNS, number % COLUMNS)
             self._kind_buttons.append(button)
+        return grid
+
+    def _direction_row(self):
+        row = QtWidgets.QHBoxLayout()
         self.direction = QtWidgets.QComboBox()
         self.direction.setObjectName("SupportDirection")
         self.direction.setToolTip(
@@ -170,10 +170,9 @@ class SupportsForm(QtWidgets.QWidget):
             self.direction.addItem(translate(words), choice)
         label = QtWidgets.QLabel(translate("Direction"))
         label.setBuddy(self.direction)
-        rows = grid.rowCount()
-        grid.addWidget(label, rows, 0)
-        grid.addWidget(self.direction, rows, 1, 1, COLUMNS - 1)
-        return grid
+        row.addWidget(label)
+        row.addWidget(self.direction, 1)
+        return row
 
     def _step_row(self):
         row = QtWidgets.QHBoxLayout()
@@ -193,11 +192,7 @@ class SupportsForm(QtWidgets.QWidget):
             ),
             ("Redo", translate("Redo"), translate("Do again what was taken back"), lambda: self.redo()),
         ):
-            button = QtWidgets.QPushButton(words)
-            button.setObjectName(f"Support{name}")
-            button.setToolTip(what)
-            button.clicked.connect(lambda _=False, do=do: do())
-            button.setMinimumWidth(NARROW)
+            button = push_button(f"Support{name}", words, what, do)
             row.addWidget(button)
             setattr(self, f"_{name.lower()}_button", button)
         return row

@@ -10,6 +10,7 @@ from funicular.features.variants import (
 )
 from funicular.form import numbers_of, other_form
 from funicular.gui.lengths import length_in_words
+from funicular.gui.live.buttons import push_button
 from funicular.gui.qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, translate
 from funicular.gui.texts import WrappedText
 from funicular.wording import force_text
@@ -95,11 +96,7 @@ class VariantsPart(QtWidgets.QWidget):
                 self._delete,
             ),
         ):
-            button = QtWidgets.QPushButton(words)
-            button.setObjectName(name)
-            button.setToolTip(tip)
-            button.clicked.connect(lambda _=False, pressed=pressed: pressed())
-            buttons.addWidget(button)
+            buttons.addWidget(push_button(name, words, tip, pressed))
         self.strip = QtWidgets.QListWidget()
         self.strip.setObjectName("Variants")
         self.strip.setViewMode(QtWidgets.QListView.IconMode)
