@@ -78,6 +78,19 @@ def test_a_sheet_is_a_sheet_again_after_a_face(shell, doc):
     assert max(heights(shell)) < 4000.0
 
 
+def test_a_copy_stays_on_its_own_source(doc):
+    roof = doc.addObject("Part::Feature", "Roof")
+    roof.Shape = Part.makePlane(6000, 6000)
+    shell = make_gridshell(doc, (roof, ["Face1"]))
+    doc.recompute()
+    keep_variant(shell, "Kept")
+    copy = doc.copyObject(shell, True)
+    assert copy.Net != shell.Net and copy.Net.Source[0] != roof
+    assert restore_variant(copy, "Kept") == [f"{copy.Label} is a copy: its net stays on its own source"]
+    assert copy.Net.Source[0] != roof
+    assert restore_variant(shell, "Kept") == []
+
+
 def test_a_variant_knows_its_numbers_and_its_form(shell):
     variant = keep_variant(shell, "Now", thumbnail=b"picture")
     (found,) = variants_of(shell)

@@ -7,12 +7,14 @@ import hand
 import pytest
 from cases_live import click, panel_of, sheet, text_of  # noqa: F401 (sheet is a fixture)
 from funicular.features.variants import variants_of
+from funicular.gui.live import session as session_module
 from window import (
     QtCore,
     QtWidgets,
     clear_report_view,
     panel_box,
     press,
+    press_key,
     report_view,
     result_line,
     session_of,
@@ -66,6 +68,18 @@ def test_a_slider_that_is_nudged_changes_little(sheet):  # noqa: F811
         if value is None:
             assert 0.8 * before < getattr(sheet, name).Value < 1.25 * before, name
         wait_for_rest(sheet)
+    press("Cancel")
+
+
+def test_a_vast_net_is_laid_once_the_user_has_been_told(opened, monkeypatch):
+    wait_for_rest(opened)
+    monkeypatch.setattr(session_module, "MOST_NODES", 1500)
+    type_into(panel_box("StepU"), "100 mm")
+    type_into(panel_box("StepV"), "100 mm")
+    wait_until(lambda: "about 5" in result_line(), "a sentence")
+    assert session_of(opened).source_net.nodes.shape == (825, 3)
+    press_key(panel_box("StepV"), QtCore.Qt.Key_Return)
+    assert len(wait_for_rest(opened).nodes) == 4941
     press("Cancel")
 
 

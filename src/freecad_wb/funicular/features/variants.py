@@ -38,7 +38,7 @@ class Variant:
     reactions: (n, 3) [N], both empty where they were not kept. thumbnail: a PNG picture, empty without one.
     inputs: {"Gridshell": {property: value}, "Net": …, "Supports": [{…}, …],
     "PointLoads": [{…}, …]}.
-    source: [name, faces] of what its net lay on.
+    source: [name, faces, name of the gridshell] of what its net lay on, empty without a source.
     """
 
     name: str
@@ -129,7 +129,7 @@ def keep_variant(shell, name, form=None, compression_only=None, thumbnail=b""):
         form.reactions,
         bytes(thumbnail),
         _inputs_of(shell),
-        (source[0].Name, list(source[1])) if source else (),
+        (source[0].Name, list(source[1]), shell.Name) if source else (),
     )
     _write(shell, [*(each for each in variants_of(shell) if each.name != name), variant])
     return variant
@@ -169,7 +169,7 @@ def restore_variant(shell, name):
     remarks = _set_inputs(shell, variant.inputs["Gridshell"])
     if shell.Net is not None:
         if variant.inputs["Net"]:
-            remarks += _restore_source(shell.Net, variant.source)
+            remarks += _restore_source(shell, variant.source)
         remarks += _set_inputs(shell.Net, variant.inputs["Net"])
     for link, make in (("Supports", make_support), ("PointLoads", make_point_load)):
         # One that was kept before there were point loads has none.
@@ -261,13 +261,17 @@ def _set_inputs(obj, values):
     return remarks
 
 
-def _restore_source(net, source):
+def _restore_source(shell, source):
+    net = shell.Net
     if not source:
         # It was a flat sheet, or a mesh file.
         if net.Source is not None:
             net.Source = None
         return []
-    name, faces = source
+    name, faces, *owner = source
+    if owner and owner[0] != shell.Name:
+        # What the original lies on is no business of a copy.
+        return [f"{shell.Label} is a copy: its net stays on its own source"]
     obj = net.Document.getObject(name)
     if obj is None:
         return [f"{name}, which the net lay on, is gone: the net stays where it is"]

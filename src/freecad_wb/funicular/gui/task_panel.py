@@ -318,6 +318,8 @@ class GridshellPanel:
         if self._pause.isActive():
             self._pause.stop()
             self._typed()
+        elif self.session.problem:
+            self.session.lay_anyway()
 
     def _escape(self):
         """The Esc key ends what is under way, one thing at a time; the panel only where that loses nothing.
@@ -417,7 +419,8 @@ class GridshellPanel:
         order_tabs(self.form)
         if self._is_to_fit and moment.ended:
             self._is_to_fit = False
-            self._view().fitAll()
+            if hasattr(self._view(), "fitAll"):
+                self._view().fitAll()
         # Of the other methods no price is known.
         if moment.ended and self._shell.Method == "Auto" and moment.result.status == "converged":
             self.price.ask(moment.scene, self.session.accuracy, None)

@@ -6,6 +6,8 @@ import time
 from collections import deque
 from dataclasses import replace
 
+import numpy as np
+
 import funicular as fn
 from funicular.features.feature import EXPECTED, reason
 from funicular.features.gridshell import scene_of, solver_options
@@ -14,10 +16,13 @@ from funicular.form import form_as_laid, form_of_moment
 from funicular.live import LiveSolve, are_numbered_alike
 from funicular.gui import preferences
 from funicular.gui.drawing.look import exaggeration_of
-from funicular.gui.qt import QtCore
+from funicular.gui.qt import QtCore, translate
 from funicular.pace import Pace
+from funicular.wording import number
 
 KEPT_FRAMES = 1000
+# A net of more is laid once the user has been told: with 5 mm on the way to 500 the window would stand still.
+MOST_NODES = 100_000
 
 
 class Session(QtCore.QObject):
@@ -56,6 +61,8 @@ class Session(QtCore.QObject):
         self._net = self._laid = self._live = self._pace = self._scene = None
         self._exaggeration, self._exaggerated = 1.0, None
         self._changed = self._stopped = self.is_changed = False
+        # Steps of the net that was laid last, and of how many nodes the next may have.
+        self._steps, self._allowed = [], 0
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(preferences.frame_ms())
         self._timer.timeout.connect(self._frame)
@@ -91,6 +98,11 @@ class Session(QtCore.QObject):
         """Others have changed properties: take them up with the next frame."""
         self._changed = True
         self._timer.start()
+
+    def lay_anyway(self):
+        """Lay a net of however many nodes, having been told."""
+        self._allowed = float("inf")
+        self.change()
 
     def take_up(self):
         """Take up at once what has been changed."""
@@ -139,7 +151,7 @@ class Session(QtCore.QObject):
         """
         if of is not self._scene or self._changed or self.problem:
             return False
-        self._live.change(scene, self.accuracy, self.shell.Method.lower(), self.watched)
+        self._live.change(scene, self.accuracy, self._method(), self.watched)
         self._pace.change(time.monotonic())
         self._timer.start()
         return True
@@ -263,6 +275,9 @@ class Session(QtCore.QObject):
         elif not self.problem:
             self.came.emit()
 
+    def _method(self):
+        return "relaxation" if self.watched else self.shell.Method.lower()
+
     def _fail(self, sentence):
         self.problem = sentence
         self.failed.emit(sentence)
@@ -279,8 +294,7 @@ class Session(QtCore.QObject):
             return
         goes_on = self._scene is not None and are_numbered_alike(self._scene.net, scene.net)
         self.problem, self._scene = "", scene
-        method = "relaxation" if self.watched else self.shell.Method.lower()
-        now = time.monotonic()
+        method, now = self._method(), time.monotonic()
         if self._live is None:
             self._live = LiveSolve(scene, self.accuracy, method, self.watched)
         else:
@@ -298,11 +312,32 @@ class Session(QtCore.QObject):
         net = self.net
         if net is None:
             raise fn.InvalidInput("Net is empty: close this panel and set it to a Net of this document")
+        expected = self._expected_nodes(net)
+        if expected > max(MOST_NODES, self._allowed):
+            raise fn.InvalidInput(
+                translate(
+                    "These steps make about {} nodes: press Enter to lay them, or give longer ones"
+                ).format(number(expected, ".2g"))
+            )
         # Another's recompute may have laid it anew, and then it is marked no more: its shape tells.
         if self._net is None or _is_to_compute(net) or not net.Shape.isSame(self._laid):
             self._net = None
             _compute(net)
-            self._net, self._laid = net_of(net), net.Shape
+            self._net, self._laid, self._steps = net_of(net), net.Shape, _steps_of(net)
+            self._allowed = 2 * len(self._net.nodes)
+
+    def _expected_nodes(self, net):
+        """About how many nodes the steps of a Net make, from what they last made; 0 before."""
+        if self._net is None:
+            return 0.0
+        ratios = [before / now for before, now in zip(self._steps, _steps_of(net)) if now > 0.0]
+        return len(self._net.nodes) * float(np.prod(ratios))
+
+
+def _steps_of(net):
+    """[mm] along u and v; one that has no say is always the same."""
+    counts = net.CountU, net.CountV
+    return [1.0 if count else step.Value for step, count in zip((net.StepU, net.StepV), counts)]
 
 
 def _follow_expressions(obj):
