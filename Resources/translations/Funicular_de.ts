@@ -1552,6 +1552,10 @@
             <translation>Noch gibt es keine Auflagerkräfte.</translation>
         </message>
         <message>
+            <source>These steps make about {} nodes: press Enter to lay them, or give longer ones</source>
+            <translation>Diese Schritte ergeben etwa {} Knoten: Eingabetaste drücken, um sie zu legen, oder längere angeben</translation>
+        </message>
+        <message>
             <source>Together these may move it by {}: leave out one, then measure again.</source>
             <translation>Zusammen bewegen diese sie vielleicht um {}: eine weglassen, dann erneut messen.</translation>
         </message>

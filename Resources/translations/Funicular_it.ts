@@ -1552,6 +1552,10 @@
             <translation>Non ci sono ancora reazioni.</translation>
         </message>
         <message>
+            <source>These steps make about {} nodes: press Enter to lay them, or give longer ones</source>
+            <translation>Questi passi danno circa {} nodi: premere Invio per posarli, o darne di più lunghi</translation>
+        </message>
+        <message>
             <source>Together these may move it by {}: leave out one, then measure again.</source>
             <translation>Insieme possono spostarla di {}: toglierne uno, poi misurare di nuovo.</translation>
         </message>

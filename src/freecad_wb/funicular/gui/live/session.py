@@ -18,7 +18,6 @@ from funicular.gui import preferences
 from funicular.gui.drawing.look import exaggeration_of
 from funicular.gui.qt import QtCore, translate
 from funicular.pace import Pace
-from funicular.wording import number
 
 KEPT_FRAMES = 1000
 # A net of more is laid once the user has been told: with 5 mm on the way to 500 the window would stand still.
@@ -317,7 +316,7 @@ class Session(QtCore.QObject):
             raise fn.InvalidInput(
                 translate(
                     "These steps make about {} nodes: press Enter to lay them, or give longer ones"
-                ).format(number(expected, ".2g"))
+                ).format(QtCore.QLocale().toString(int(float(f"{expected:.2g}"))))
             )
         # Another's recompute may have laid it anew, and then it is marked no more: its shape tells.
         if self._net is None or _is_to_compute(net) or not net.Shape.isSame(self._laid):
