@@ -301,9 +301,12 @@ class GridshellPanel:
 
     # What the user does
 
-    def _edited(self):
+    def _edited(self, is_typed=True):
         for column in self._columns:
             column.show_what_counts()
+        if not is_typed:
+            self._say_what_is_unreadable()
+            return
         self.session.awaited.add("typing")
         self._pause.start()
 

@@ -131,7 +131,7 @@ class ColoursPart(QtWidgets.QWidget):
 
         return keep
 
-    def _section_edited(self):
+    def _section_edited(self, is_typed=True):
         self.section.show_what_counts()
         self._tell()
 

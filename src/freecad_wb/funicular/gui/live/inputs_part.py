@@ -15,9 +15,9 @@ class InputsPart(QtWidgets.QWidget):
     rows : sequence of (object, property, label)
     unreadable : dict
         {property: sentence} of what was written and cannot be read, shared by all columns of a panel.
-    on_edit : callable()
+    on_edit : callable(is_typed)
         Called after each edit, readable or not. What was typed is for it to hand to session.change(), once
-        the typing has ended.
+        the typing has ended; what was chosen has been.
     change : callable(), optional
         Called after a choice, and when an object has gone, instead of session.change(): for what is solved by
         nothing.
@@ -145,7 +145,7 @@ class InputsPart(QtWidgets.QWidget):
                 self._change()
             except (TypeError, ValueError) as error:
                 self._unreadable[name] = f"{name}: {error}"
-            self._on_edit()
+            self._on_edit(not at_once)
 
         return set_property
 
@@ -160,6 +160,6 @@ class InputsPart(QtWidgets.QWidget):
         def keep(sentence):
             self._unreadable[name] = sentence
             if self._on_edit is not None:
-                self._on_edit()
+                self._on_edit(True)
 
         return keep

@@ -26,7 +26,7 @@ class LoadRow(QtWidgets.QWidget):
         The PointLoad.
     session : live.session.Session
     unreadable : dict
-    on_edit : callable()
+    on_edit : callable(is_typed)
         Both as for LoadsPart.
     on_remove : callable(load)
     """
@@ -115,7 +115,7 @@ class LoadRow(QtWidgets.QWidget):
         except ReferenceError:
             # The load is gone, and what depended on it says so when it is solved.
             self._session.change()
-        self._on_edit()
+        self._on_edit(not at_once)
 
     def _set_direction(self, at):
         self.load.Direction = FreeCAD.Vector(*self._direction.itemData(at))
@@ -130,4 +130,4 @@ class LoadRow(QtWidgets.QWidget):
         if self._session is None:
             return
         self._unreadable[self.load_name] = sentence
-        self._on_edit()
+        self._on_edit(True)

@@ -20,7 +20,7 @@ class LoadsPart(QtWidgets.QWidget):
         The properties of a PointLoad that say which nodes are picked. Raises WrongSelection.
     unreadable : dict
         {name: sentence} of what was written and cannot be read, shared by all boxes of a panel.
-    on_edit : callable()
+    on_edit : callable(is_typed)
         Called after each edit, as by live.inputs_part.InputsPart.
     """
 
