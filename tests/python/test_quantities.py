@@ -136,6 +136,13 @@ def test_no_colour_and_no_mark_is_not_a_number(quantity, values):
     assert packed(colours).shape == (len(values),)
 
 
+def test_a_value_where_two_stretches_meet_is_marked_once():
+    forces = np.array([135.9614085173888, -6771.906721552654])
+    scale = Scale(forces, quantities.FORCE, above=forces > 0.0)
+    texts = [scale.mark_text(value) for _, value in scale.marks()]
+    assert texts == ["0.14", "0", "−2.00", "−4.00", "−6.77"]
+
+
 def test_lengths_that_differ_by_little_are_told_apart_by_their_marks():
     scale = Scale([0.49998, 0.50002], quantities.LENGTH)
     texts = [scale.text(value) for _, value in scale.marks()]

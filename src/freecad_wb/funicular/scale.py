@@ -200,8 +200,9 @@ class Scale:
             share = max(1.0, (count - 1) * (stretch.top - stretch.bottom))
             inner = [value * self.size for value in _round_numbers(low, high, share)]
             for value in (stretch.low, *inner, stretch.high):
-                marks[stretch.position(value)] = value
-        return sorted(marks.items(), reverse=True)
+                # Where two stretches meet rounding may give the same value two places.
+                marks.setdefault(value, stretch.position(value))
+        return sorted(((position, value) for value, position in marks.items()), reverse=True)
 
     def text(self, value):
         """A value as the legend writes it, without its unit."""

@@ -229,6 +229,8 @@ def test_warnings_have_buttons_that_mend(opened, pictures):
     click(QtWidgets.QPushButton, "Warning0_show")
     shown = session_of(sheet).moment.certificate.tension_members
     assert len(shown) and list(panel_of(sheet).drawing.highlight._members) == list(shown)
+    Gui.ActiveDocument.ActiveView.viewIsometric()
+    Gui.ActiveDocument.ActiveView.fitAll()
     picture(pictures / "live_warning.png")
     click(QtWidgets.QPushButton, "Warning0_compression")
     assert not sheet.AllowTension
