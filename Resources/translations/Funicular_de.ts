@@ -317,8 +317,12 @@
             <translation>Form des vollen Stabquerschnitts, für die Spannung; die Form der Schale ändert er nicht</translation>
         </message>
         <message>
+            <source>Show level ground at the lowest node, and the shadow on it</source>
+            <translation>Ebenen Boden am tiefsten Knoten zeigen, und den Schatten darauf</translation>
+        </message>
+        <message>
             <source>Show level ground at the lowest support, and the shadow on it</source>
-            <translation>Ebenen Boden am tiefsten Auflager zeigen, und den Schatten darauf</translation>
+            <translation type="vanished">Ebenen Boden am tiefsten Auflager zeigen, und den Schatten darauf</translation>
         </message>
         <message>
             <source>Show the net as it was laid, pale, beside what it has become</source>

@@ -317,8 +317,12 @@
             <translation>Forma della sezione piena delle aste, per la loro tensione; non cambia la forma della gridshell</translation>
         </message>
         <message>
+            <source>Show level ground at the lowest node, and the shadow on it</source>
+            <translation>Mostrare il terreno piano al nodo più basso, e l'ombra su di esso</translation>
+        </message>
+        <message>
             <source>Show level ground at the lowest support, and the shadow on it</source>
-            <translation>Mostrare il terreno piano al vincolo più basso, e l'ombra su di esso</translation>
+            <translation type="vanished">Mostrare il terreno piano al vincolo più basso, e l'ombra su di esso</translation>
         </message>
         <message>
             <source>Show the net as it was laid, pale, beside what it has become</source>

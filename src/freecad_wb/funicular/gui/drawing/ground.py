@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Level ground below a gridshell, and its shadow on it."""
 
-import numpy as np
 from pivy import coin
 
 from funicular.gui.drawing.shapes import MILLIMETRES, set_points
@@ -56,8 +55,8 @@ class Ground:
     def show(self, form, groups, sun):
         """groups: of coin nodes that throw the shadow. sun: (3,) towards it."""
         nodes = form.drawn_nodes
-        held = np.any(form.reactions != 0.0, axis=1)
-        level = nodes[held if held.any() else slice(None), 2].min()
+        # The lowest support, or what hangs below it: nothing throws a shadow upward.
+        level = nodes[:, 2].min()
         set_points(self._corners, ground_below(nodes, sun, level))
         matrix = shadow_matrix(sun, level * MILLIMETRES)
         # Coin multiplies rows, from the left.

@@ -57,7 +57,7 @@ PROPERTIES = (
         "App::PropertyBool",
         "ShowGround",
         False,
-        QT_TRANSLATE_NOOP("App::Property", "Show level ground at the lowest support, and the shadow on it"),
+        QT_TRANSLATE_NOOP("App::Property", "Show level ground at the lowest node, and the shadow on it"),
     ),
     (
         "App::PropertyAngle",
