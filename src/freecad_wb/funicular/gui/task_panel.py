@@ -274,6 +274,8 @@ class GridshellPanel:
             self.state.line.say(
                 BUSY, translate("{} is shown, as it was kept. Esc shows the present form again.").format(name)
             )
+        elif self._unreadable:
+            self._say_what_is_unreadable()
         else:
             self.state.show_moment()
 
