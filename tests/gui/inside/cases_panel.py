@@ -7,7 +7,7 @@ import hand
 import numpy as np
 import pytest
 from funicular.features import progress
-from funicular.gui.inputs import SECTIONS, counts
+from funicular.gui.inputs import SECTIONS, InputLabel, counts
 from window import (
     QtCore,
     QtWidgets,
@@ -126,9 +126,9 @@ def test_choices_follow_the_keyboard(opened):
     panel_box("AllowTension").setFocus()
     send_key(panel_box("AllowTension"), QtCore.Qt.Key_Space, " ")
     assert opened.AllowTension and opened.Visibility
-    labels = [each for each in QtWidgets.QApplication.allWidgets() if isinstance(each, QtWidgets.QLabel)]
-    label = next(each for each in labels if each.isVisible() and each.buddy() is panel_box("AllowTension"))
-    hand.mouse_on(label)
+    # Not by buddy(): PySide would keep what that gave it.
+    labels = [each for each in QtWidgets.QApplication.allWidgets() if isinstance(each, InputLabel)]
+    hand.mouse_on(next(each for each in labels if each._box is panel_box("AllowTension")))
     assert not opened.AllowTension, "a click on the words ticks the box"
 
 
