@@ -301,6 +301,9 @@ def test_alternatives_are_kept_seen_compared_and_restored(sheet, pictures):
     assert session_of(sheet).form.nodes == pytest.approx(high, abs=1e-9)
     assert result_line().startswith("✔") and panel_of(sheet).supports.marks.is_shown
     strip.item(0).setSelected(True), strip.item(1).setSelected(True)
+    press_key(strip, QtCore.Qt.Key_Escape)
+    assert Gui.Control.activeDialog() and not strip.selectedItems(), "nor does it with two"
+    strip.item(0).setSelected(True), strip.item(1).setSelected(True)
     settle()
     table = panel_box("VariantNumbers")
     assert [table.horizontalHeaderItem(k).text() for k in range(3)] == ["Variant 1", "Variant 2", "change"]

@@ -442,7 +442,7 @@ class GridshellPanel:
         self.drawing.remove()
         self.price.stop()
         self.effects.stop()
-        for part in (*self._columns, self.motion, self.matching, self.variants, self.loads):
+        for part in (*self._columns, self.motion, self.matching, self.loads):
             part.leave()
         FreeCAD.removeDocumentObserver(self)
         document, self._document, self._shell = self._document, None, None

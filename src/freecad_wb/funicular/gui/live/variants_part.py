@@ -114,7 +114,6 @@ class VariantsPart(QtWidgets.QWidget):
         )
         self.strip.itemSelectionChanged.connect(self._chosen)
         self.strip.itemChanged.connect(self._renamed)
-        self.strip.installEventFilter(self)
         column.addWidget(self.strip)
         self.table = QtWidgets.QTableWidget(len(ROWS) + 1, 3)
         self.table.setObjectName("VariantNumbers")
@@ -140,21 +139,11 @@ class VariantsPart(QtWidgets.QWidget):
         session.came.connect(self._came)
         session.rested.connect(self._compare)
 
-    def eventFilter(self, watched, event):
-        # Esc returns to the present form, and leaves the panel open.
-        if event.type() in (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress):
-            if event.key() == QtCore.Qt.Key_Escape and self.strip.selectedItems():
-                if event.type() == QtCore.QEvent.KeyPress:
-                    self.strip.clearSelection()
-                event.accept()
-                return True
-        return False
-
     def look_away(self):
-        """Show the present form again: whether another was shown."""
-        is_looking = self._session.is_looking_away
+        """Choose nothing, which shows the present form again: whether something was chosen."""
+        is_chosen = bool(self.strip.selectedItems())
         self.strip.clearSelection()
-        return is_looking
+        return is_chosen
 
     # What the buttons do
 
@@ -173,6 +162,7 @@ class VariantsPart(QtWidgets.QWidget):
             session.moment.certificate.compression_only,
             self._thumbnail(*THUMBNAIL),
         )
+        self._session.is_changed = True
         self._list()
         self.says.setText("")
 
@@ -190,6 +180,7 @@ class VariantsPart(QtWidgets.QWidget):
     def _delete(self):
         for variant in self._selected():
             remove_variant(self._session.shell, variant.name)
+            self._session.is_changed = True
         self._list()
 
     def _renamed(self, item):
@@ -198,6 +189,7 @@ class VariantsPart(QtWidgets.QWidget):
             return
         try:
             rename_variant(self._session.shell, before, item.text())
+            self._session.is_changed = True
             self.says.setText("")
         except ValueError as error:
             self.says.setText(str(error))
@@ -287,7 +279,3 @@ class VariantsPart(QtWidgets.QWidget):
             item = QtWidgets.QTableWidgetItem(text)
             item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
             self.table.setItem(row, column, item)
-
-    def leave(self):
-        """The present form is what is shown, and nothing is heard of the strip any more."""
-        self.strip.removeEventFilter(self)
